@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_ODECO_FIELD_OPTIONS_H
+#define QUADRILLE_ODECO_FIELD_OPTIONS_H
+
+#include <Quadrille/Progress_observer.h>
+#include <Quadrille/Symmetric_tensor_2.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace Quadrille {
+
+/// The minimiser of the field's energies.
+enum class Field_solver_kind {
+  levenberg_marquardt, ///< with melting and freezing
+  lbfgs                ///< the papers' plain L-BFGS (ALGLIB), first on E_smooth, then on E_integ; for comparisons
+};
+
+/// How melting and freezing places singularities. Epsilons are in units of the local triangle size.
+struct Melt_and_freeze_schedule {
+  double smooth_epsilon = 2;  ///< of the smooth start
+  double melt_epsilon = 20;   ///< large: singularities are cheap and move
+  double noise = 0.9;         ///< on every free coefficient, relative to q0; below about 0.5 nothing happens
+  int melt_steps = 15;        ///< Levenberg-Marquardt steps that take the noise out
+  int soft_iterations = 200;  ///< preconditioned L-BFGS iterations at the melting epsilon
+  double freeze_ratio = 1.5;  ///< between consecutive epsilons
+  int freeze_steps = 5;       ///< Levenberg-Marquardt steps per epsilon
+  double final_epsilon = 2;   ///< small: singularities are sharp, and cannot move any more
+  int final_steps = 40;       ///< at most
+};
+
+struct Odeco_field_options {
+  Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
+  int starts = 8;             ///< number of melted candidates; 0 only relaxes the smooth field
+  std::uint64_t seed = 1;     ///< of the noise; equal seeds give equal fields
+  int threads = 0;            ///< 0: all cores
+  Melt_and_freeze_schedule schedule;
+  const Progress_observer* observer = nullptr;
+};
+
+/// One candidate field.
+struct Field_start {
+  enum class Kind {
+    smooth,  ///< minimises E_smooth: the reference, never chosen when there is another
+    relaxed, ///< the smooth field, then E_integ
+    melted   ///< melted and frozen
+  };
+  Kind kind = Kind::smooth;
+  std::uint64_t seed = 0;
+  bool valid = false;  ///< positive sizes everywhere
+  double energy = 0;   ///< E_integ at the final epsilon
+  double cost = 0;     ///< the evaluator's, or the energy without one
+  int iterations = 0;
+  double seconds = 0;
+};
+
+/// The chosen field, and how it came about.
+struct Odeco_field_result {
+  std::vector<Circular_harmonics> harmonics; ///< per vertex, in the order of `vertices(mesh)`; eigenvalues are sizes
+  std::vector<Field_start> starts;           ///< smooth, relaxed, melted ones by seed
+  int chosen = -1;                           ///< index into `starts`
+  double energy = 0;                         ///< E_integ of the chosen field
+  double energy_lie = 0;                     ///< its E_Lie; planar-2, eq. (30)
+  double energy_odeco = 0;                   ///< its E_odeco / epsilon^2; planar-2, eqs. (31), (33)
+  int free_corners = 0;                      ///< constrained vertices left free
+  int iterations = 0;                        ///< over all starts
+  double seconds = 0;
+};
+
+} // namespace Quadrille
+
+#endif

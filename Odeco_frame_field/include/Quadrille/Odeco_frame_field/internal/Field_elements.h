@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ELEMENTS_H
+#define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ELEMENTS_H
+
+#include <Quadrille/Odeco_frame_field/internal/Tensor_coefficients.h>
+#include <Quadrille/Support/internal/Indexed_triangulation.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace Quadrille {
+namespace internal {
+
+/// A vertex's coefficients as an affine function of its unknowns, q = offset + basis.leftCols(dimension) s: how
+/// Dirichlet and alignment conditions are eliminated.
+template <int N> struct Vertex_restriction {
+  Eigen::Matrix<double, N, 1> offset = Eigen::Matrix<double, N, 1>::Zero();
+  Eigen::Matrix<double, N, N> basis = Eigen::Matrix<double, N, N>::Identity();
+  int dimension = N;
+  bool is_free = true; ///< offset zero and basis the identity
+};
+
+/// What the field's energies share: triangles with their shape gradients, and the vertices' restrictions.
+template <int N> class Field_elements {
+public:
+  using Coefficients = Eigen::Matrix<double, N, 1>;
+  static constexpr int max_unknowns = 3 * N;
+  using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
+
+  struct Element {
+    std::array<int, 3> vertex;
+    Eigen::Matrix<double, 2, 3> gradient; ///< of the three linear shape functions
+    double area;
+    double size; ///< local triangle size, the unit of epsilon
+  };
+
+  /// `sizes`: per face the length that multiplies the relative epsilon.
+  Field_elements(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
+                 const std::vector<double>& sizes, std::vector<Vertex_restriction<N>> restrictions)
+      : m_restrictions(std::move(restrictions)), m_first(m_restrictions.size() + 1, 0)
+  {
+    m_elements.reserve(std::size_t(mesh.number_of_faces()));
+    for (int f = 0; f < mesh.number_of_faces(); ++f) {
+      Element element;
+      element.vertex = mesh.triangle(f);
+      Eigen::Vector2d p[3];
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] = points[std::size_t(element.vertex[i])];
+      const Eigen::Vector2d a = p[1] - p[0], b = p[2] - p[0];
+      const double twice_area = a.x() * b.y() - a.y() * b.x();
+      element.area = 0.5 * twice_area;
+      for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector2d edge = p[(i + 2) % 3] - p[(i + 1) % 3];
+        element.gradient.col(i) = Eigen::Vector2d(-edge.y(), edge.x()) / twice_area;
+      }
+      element.size = sizes[std::size_t(f)];
+      m_elements.push_back(element);
+    }
+    for (std::size_t v = 0; v < m_restrictions.size(); ++v)
+      m_first[v + 1] = m_first[v] + m_restrictions[v].dimension;
+  }
+
+  std::size_t number_of_elements() const { return m_elements.size(); }
+  std::size_t number_of_vertices() const { return m_restrictions.size(); }
+  std::size_t number_of_unknowns() const { return std::size_t(m_first.back()); }
+  const Element& element(std::size_t e) const { return m_elements[e]; }
+  const Vertex_restriction<N>& restriction(std::size_t v) const { return m_restrictions[v]; }
+  int first_unknown(std::size_t v) const { return m_first[v]; }
+
+  int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
+  {
+    int count = 0;
+    for (const int v : m_elements[e].vertex)
+      for (int i = m_first[std::size_t(v)]; i < m_first[std::size_t(v) + 1]; ++i)
+        index[std::size_t(count++)] = i;
+    return count;
+  }
+
+  /// The coefficients at the three corners from the element's unknowns.
+  std::array<Coefficients, 3> corner_coefficients(std::size_t e, const Unknowns& x) const
+  {
+    std::array<Coefficients, 3> q;
+    int place = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vertex_restriction<N>& r = m_restrictions[std::size_t(m_elements[e].vertex[k])];
+      if (r.is_free)
+        q[k] = x.template segment<N>(place);
+      else
+        q[k] = r.offset + r.basis.leftCols(r.dimension) * x.segment(place, r.dimension);
+      place += r.dimension;
+    }
+    return q;
+  }
+
+  /// Derivatives by the unknowns from those by the coefficients of the corners (columns k N ... k N + N - 1).
+  template <int R>
+  void restrict_jacobian(std::size_t e, const Eigen::Matrix<double, R, max_unknowns>& by_coefficients,
+                         Eigen::Matrix<double, R, max_unknowns>& by_unknowns) const
+  {
+    int place = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vertex_restriction<N>& r = m_restrictions[std::size_t(m_elements[e].vertex[std::size_t(k)])];
+      if (r.is_free)
+        by_unknowns.template middleCols<N>(place) = by_coefficients.template middleCols<N>(k * N);
+      else if (r.dimension > 0)
+        by_unknowns.middleCols(place, r.dimension).noalias() =
+            by_coefficients.template middleCols<N>(k * N) * r.basis.leftCols(r.dimension);
+      place += r.dimension;
+    }
+    by_unknowns.rightCols(max_unknowns - place).setZero();
+  }
+
+  Coefficients coefficients(std::size_t v, const Eigen::VectorXd& x) const
+  {
+    const Vertex_restriction<N>& r = m_restrictions[v];
+    return r.offset + r.basis.leftCols(r.dimension) * x.segment(m_first[v], r.dimension);
+  }
+
+  /// The unknowns whose coefficients are nearest to the given ones.
+  void assign_coefficients(std::size_t v, const Coefficients& q, Eigen::VectorXd& x) const
+  {
+    const Vertex_restriction<N>& r = m_restrictions[v];
+    if (r.dimension > 0) {
+      const auto basis = r.basis.leftCols(r.dimension);
+      x.segment(m_first[v], r.dimension) = (basis.transpose() * basis).ldlt().solve(basis.transpose() * (q - r.offset));
+    }
+  }
+
+private:
+  std::vector<Element> m_elements;
+  std::vector<Vertex_restriction<N>> m_restrictions;
+  std::vector<int> m_first;
+};
+
+} // namespace internal
+} // namespace Quadrille
+
+#endif

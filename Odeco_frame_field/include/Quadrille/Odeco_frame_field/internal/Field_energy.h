@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ENERGY_H
+#define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ENERGY_H
+
+#include <Quadrille/Odeco_frame_field/internal/Field_elements.h>
+
+#include <cmath>
+
+namespace Quadrille {
+namespace internal {
+
+enum class Field_energy_kind {
+  smoothness,   ///< E_smooth = E_Dir + E_odeco / epsilon^2; planar-2, eqs. (31) to (33)
+  integrability ///< E_integ = E_Lie + E_odeco / epsilon^2; planar-2, eqs. (30), (31), (33)
+};
+
+/// The normalised energies of planar-2 as a `LeastSquaresTerm`: linear triangles, three-point quadrature.
+///
+/// Half the squared norm of the residuals is the energy. The Lie bracket comes from the closed form of eq. (28): with
+/// entries t_0 ... t_4 of the tensor, [u, v]_i = sum over a in {0, 1}, m in {0, ..., 3} of
+/// (-1)^(m + 1) binomial(3, m) t_{a + 3 - m} d_a t_{i + m}. (The paper's sign is the opposite, since there v is u turned
+/// by -90 degrees.)
+template <int N, Field_energy_kind kind> class Field_energy {
+  using Traits = Tensor_coefficients<N>;
+  static constexpr int odeco = Traits::odeco_equations;
+  static constexpr bool integrable = kind == Field_energy_kind::integrability;
+  static constexpr int points = 3;
+
+public:
+  static constexpr int max_unknowns = 3 * N;
+  static constexpr int first_odeco_row = integrable ? 2 * points : 2 * N;
+  static constexpr int max_residuals = first_odeco_row + odeco * points;
+  using Coefficients = typename Traits::Vector;
+  using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
+  using Residuals = Eigen::Matrix<double, max_residuals, 1>;
+  using Jacobian = Eigen::Matrix<double, max_residuals, max_unknowns>;
+
+  /// `relative_epsilon` is in units of the elements' sizes.
+  Field_energy(const Field_elements<N>& elements, double relative_epsilon)
+      : m_elements(&elements), m_relative_epsilon(relative_epsilon)
+  {
+  }
+
+  void set_relative_epsilon(double relative_epsilon) { m_relative_epsilon = relative_epsilon; }
+  double relative_epsilon() const { return m_relative_epsilon; }
+
+  std::size_t number_of_elements() const { return m_elements->number_of_elements(); }
+  int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
+  {
+    return m_elements->element_unknowns(e, index);
+  }
+
+  bool evaluate(std::size_t e, const Unknowns& x, Residuals& r, Jacobian* J) const
+  {
+    const auto& element = m_elements->element(e);
+    const std::array<Coefficients, 3> q = m_elements->corner_coefficients(e, x);
+    Jacobian by_coefficients;
+    bool inside = true;
+    if constexpr (integrable)
+      inside = add_integrability(element, q, r, J ? &by_coefficients : nullptr);
+    else
+      add_dirichlet(element, q, r, J ? &by_coefficients : nullptr);
+    inside = inside && add_odeco(element, q, r, J ? &by_coefficients : nullptr);
+    if (inside && J)
+      m_elements->restrict_jacobian(e, by_coefficients, *J);
+    return inside;
+  }
+
+private:
+  using Element = typename Field_elements<N>::Element;
+  using Corners = std::array<Coefficients, 3>;
+  using Entries = Eigen::Matrix<double, 5, 1>;
+
+  static double weight(int point, int corner) { return point == corner ? 2. / 3 : 1. / 6; }
+  static Coefficients interpolate(const Corners& q, int point)
+  {
+    return (q[0] + q[1] + q[2]) / 6 + 0.5 * q[std::size_t(point)];
+  }
+  // The area's square is positive on both sides of its zero, so the sign of q0 has to be watched too.
+  static bool is_positive(const Coefficients& q, double area) { return area > 0 && q[0] > 0; }
+
+  void add_dirichlet(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
+  {
+    const double factor = std::sqrt(element.area);
+    if (J)
+      J->template topRows<2 * N>().setZero();
+    for (int a = 0; a < 2; ++a)
+      for (int i = 0; i < N; ++i) {
+        const int row = a * N + i;
+        r[row] = 0;
+        for (int k = 0; k < 3; ++k) {
+          const double entry = factor * element.gradient(a, k);
+          r[row] += entry * q[std::size_t(k)][i];
+          if (J)
+            (*J)(row, k * N + i) = entry;
+        }
+      }
+  }
+
+  bool add_odeco(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
+  {
+    const double factor = std::sqrt(2. / 3 * element.area) / (m_relative_epsilon * element.size);
+    for (int p = 0; p < points; ++p) {
+      const Coefficients at = interpolate(q, p);
+      Coefficients area_derivatives;
+      const double area = Traits::area(at, J ? &area_derivatives : nullptr);
+      if (!is_positive(at, area))
+        return false;
+      double c[odeco];
+      Eigen::Matrix<double, odeco, N> derivatives;
+      Traits::odeco(at, c, J ? &derivatives : nullptr);
+      const double scale = factor / area;
+      const int row = first_odeco_row + odeco * p;
+      for (int i = 0; i < odeco; ++i)
+        r[row + i] = scale * c[i];
+      if (J) {
+        for (int i = 0; i < odeco; ++i)
+          derivatives.row(i) = scale * (derivatives.row(i) - c[i] / area * area_derivatives.transpose());
+        for (int k = 0; k < 3; ++k)
+          J->template block<odeco, N>(row, k * N) = weight(p, k) * derivatives;
+      }
+    }
+    return true;
+  }
+
+  bool add_integrability(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
+  {
+    const auto& matrix = Traits::entries_matrix();
+    const Entries t_corner[3] = {matrix * q[0], matrix * q[1], matrix * q[2]};
+    Entries d[2];
+    for (int a = 0; a < 2; ++a)
+      d[a] = element.gradient(a, 0) * t_corner[0] + element.gradient(a, 1) * t_corner[1] +
+             element.gradient(a, 2) * t_corner[2];
+    const double factor = std::sqrt(2. / 3 * element.area);
+    constexpr double c[4] = {-1, 3, -3, 1};
+
+    // The same at every point, since d is constant.
+    Eigen::Matrix<double, 2, N> by_value = Eigen::Matrix<double, 2, N>::Zero();
+    if (J) {
+      Eigen::Matrix<double, 2, 5> by_t = Eigen::Matrix<double, 2, 5>::Zero();
+      for (int i = 0; i < 2; ++i)
+        for (int a = 0; a < 2; ++a)
+          for (int m = 0; m < 4; ++m)
+            by_t(i, a + 3 - m) += c[m] * d[a][i + m];
+      by_value.noalias() = by_t * matrix;
+    }
+    for (int p = 0; p < points; ++p) {
+      const Coefficients at = interpolate(q, p);
+      Coefficients area_derivatives;
+      const double area = Traits::area(at, J ? &area_derivatives : nullptr);
+      if (!is_positive(at, area))
+        return false;
+      const Entries t = (t_corner[0] + t_corner[1] + t_corner[2]) / 6 + 0.5 * t_corner[p];
+      Eigen::Vector2d lie = Eigen::Vector2d::Zero();
+      for (int i = 0; i < 2; ++i)
+        for (int a = 0; a < 2; ++a)
+          for (int m = 0; m < 4; ++m)
+            lie[i] += c[m] * t[a + 3 - m] * d[a][i + m];
+      const double scale = factor / area;
+      r.template segment<2>(2 * p) = scale * lie;
+      if (!J)
+        continue;
+      Eigen::Matrix<double, 2, N> by_derivative[2];
+      for (int a = 0; a < 2; ++a) {
+        Eigen::Matrix<double, 2, 5> by_d = Eigen::Matrix<double, 2, 5>::Zero();
+        for (int i = 0; i < 2; ++i)
+          for (int m = 0; m < 4; ++m)
+            by_d(i, i + m) = scale * c[m] * t[a + 3 - m];
+        by_derivative[a].noalias() = by_d * matrix;
+      }
+      const Eigen::Matrix<double, 2, N> by_point =
+          scale * (by_value - lie / area * area_derivatives.transpose());
+      for (int k = 0; k < 3; ++k)
+        J->template block<2, N>(2 * p, k * N) = weight(p, k) * by_point + element.gradient(0, k) * by_derivative[0] +
+                                                element.gradient(1, k) * by_derivative[1];
+    }
+    return true;
+  }
+
+  const Field_elements<N>* m_elements;
+  double m_relative_epsilon;
+};
+
+} // namespace internal
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_SOLVER_H
+#define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_SOLVER_H
+
+#include <Quadrille/Element_least_squares.h>
+#include <Quadrille/Odeco_field_options.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_energy.h>
+#include <Quadrille/minimize_lbfgs.h>
+#include <Quadrille/minimize_least_squares.h>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace Quadrille {
+namespace internal {
+
+/// Uniform numbers in [-1, 1) that are the same on every platform.
+class Noise {
+public:
+  explicit Noise(std::uint64_t seed) : m_engine(seed) {}
+  double operator()() { return std::ldexp(double(m_engine() >> 11), -52) - 1; }
+
+private:
+  std::mt19937_64 m_engine;
+};
+
+/// Minimises the energies of one field; every method starts from, and returns, a vector of unknowns.
+template <int N> class Field_solver {
+public:
+  using Smoothness = Field_energy<N, Field_energy_kind::smoothness>;
+  using Integrability = Field_energy<N, Field_energy_kind::integrability>;
+  using Coefficients = typename Field_elements<N>::Coefficients;
+
+  Field_solver(const Field_elements<N>& elements, const Melt_and_freeze_schedule& schedule, int threads,
+               const Progress_observer* observer, Field_solver_kind kind)
+      : m_elements(elements), m_schedule(schedule), m_observer(observer), m_kind(kind),
+        m_smoothness(elements, schedule.smooth_epsilon), m_integrability(elements, schedule.final_epsilon),
+        m_smooth_problem(m_smoothness, elements.number_of_unknowns(), threads),
+        m_integrable_problem(m_integrability, elements.number_of_unknowns(), threads)
+  {
+#ifndef QUADRILLE_WITH_ALGLIB
+    if (kind == Field_solver_kind::lbfgs)
+      throw Invalid_argument_error("the L-BFGS reference solver needs ALGLIB, which this build does not have");
+#endif
+    if (elements.number_of_unknowns() > 0)
+      m_solver.analyze(m_integrable_problem.gauss_newton_matrix());
+  }
+
+  /// The minimum of E_smooth from the harmonic extension of the constraints. `typical_size` sets the scale where the
+  /// constraints leave it open.
+  Eigen::VectorXd smooth_field(double typical_size)
+  {
+    Eigen::VectorXd x = harmonic_field(typical_size);
+    Levenberg_marquardt_options options;
+    options.relative_decrease = 1e-6;
+    minimize(m_smooth_problem, x, options);
+    return x;
+  }
+
+  /// A local minimum of E_integ at the final epsilon, from noise around `smooth`.
+  Eigen::VectorXd melt_and_freeze(const Eigen::VectorXd& smooth, std::uint64_t seed)
+  {
+    Eigen::VectorXd x = perturbed(smooth, seed);
+    m_integrability.set_relative_epsilon(m_schedule.melt_epsilon);
+    Levenberg_marquardt_options options;
+    options.max_iterations = m_schedule.melt_steps;
+    options.relative_decrease = 1e-5;
+    minimize(m_integrable_problem, x, options);
+
+    Preconditioned_lbfgs_options soft;
+    soft.max_iterations = m_schedule.soft_iterations;
+    soft.relative_decrease = 1e-4;
+    soft.observer = m_observer;
+    soft.stage = "field";
+    if (x.size() > 0)
+      m_iterations += minimize_preconditioned_lbfgs(m_integrable_problem, x, soft, &m_solver).iterations;
+
+    double epsilon = m_schedule.melt_epsilon / m_schedule.freeze_ratio;
+    options.max_iterations = m_schedule.freeze_steps;
+    options.relative_decrease = 1e-3;
+    for (; epsilon > m_schedule.final_epsilon; epsilon /= m_schedule.freeze_ratio) {
+      m_integrability.set_relative_epsilon(epsilon);
+      minimize(m_integrable_problem, x, options);
+    }
+    integrate(x);
+    return x;
+  }
+
+  /// Minimises E_integ at the final epsilon.
+  void integrate(Eigen::VectorXd& x)
+  {
+    m_integrability.set_relative_epsilon(m_schedule.final_epsilon);
+    Levenberg_marquardt_options options;
+    options.max_iterations = m_schedule.final_steps;
+    options.relative_decrease = 1e-4;
+    minimize(m_integrable_problem, x, options);
+  }
+
+  double integrability_energy(const Eigen::VectorXd& x) const { return m_integrable_problem.energy(x); }
+  /// E_Lie alone; planar-2, eq. (30).
+  double lie_energy(const Eigen::VectorXd& x) const
+  {
+    double energy = 0;
+    std::array<int, std::size_t(Integrability::max_unknowns)> index;
+    for (std::size_t e = 0; e < m_integrability.number_of_elements(); ++e) {
+      typename Integrability::Unknowns local = Integrability::Unknowns::Zero();
+      const int count = m_integrability.element_unknowns(e, index);
+      for (int i = 0; i < count; ++i)
+        local[i] = x[index[std::size_t(i)]];
+      typename Integrability::Residuals residuals;
+      if (!m_integrability.evaluate(e, local, residuals, nullptr))
+        return std::numeric_limits<double>::infinity();
+      energy += 0.5 * residuals.template head<Integrability::first_odeco_row>().squaredNorm();
+    }
+    return energy;
+  }
+  /// Accepted steps of all minimisations so far.
+  int iterations() const { return m_iterations; }
+
+private:
+  template <class Problem>
+  void minimize(Problem& problem, Eigen::VectorXd& x, Levenberg_marquardt_options options)
+  {
+    if (x.size() == 0)
+      return;
+#ifdef QUADRILLE_WITH_ALGLIB
+    if (m_kind == Field_solver_kind::lbfgs) {
+      Lbfgs_options lbfgs;
+      lbfgs.observer = m_observer;
+      lbfgs.stage = "field";
+      m_iterations += minimize_lbfgs(problem, x, lbfgs).iterations;
+      return;
+    }
+#endif
+    options.observer = m_observer;
+    options.stage = "field";
+    m_iterations += minimize_levenberg_marquardt(problem, x, options, &m_solver).iterations;
+  }
+
+  Eigen::VectorXd harmonic_field(double typical_size)
+  {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(m_elements.number_of_unknowns()));
+    // E_odeco needs a positive area, so the Dirichlet energy alone gives the start. It is quadratic: with a huge
+    // epsilon one Gauss-Newton step from any feasible point reaches its minimum.
+    Orthogonal_frame_2 frame;
+    frame.size_u = frame.size_v = typical_size;
+    const Coefficients uniform = Tensor_coefficients<N>::from_harmonics(odeco_harmonics(frame));
+    for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v)
+      m_elements.assign_coefficients(v, uniform, x);
+    m_smoothness.set_relative_epsilon(1e6);
+    Levenberg_marquardt_options options;
+    options.max_iterations = 10;
+    options.initial_damping = 1e-6;
+    options.relative_decrease = 1e-4;
+    minimize(m_smooth_problem, x, options);
+    m_smoothness.set_relative_epsilon(m_schedule.smooth_epsilon);
+    return x;
+  }
+
+  Eigen::VectorXd perturbed(const Eigen::VectorXd& smooth, std::uint64_t seed) const
+  {
+    Eigen::VectorXd x = smooth;
+    Noise noise(seed);
+    for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v) {
+      Coefficients q = m_elements.coefficients(v, smooth);
+      const double amplitude = m_schedule.noise * q[0];
+      // The degree 2 coefficients could make the area negative together with q0.
+      const double factor[5] = {1, N == 3 ? 1 : 0.3, N == 3 ? 1 : 0.3, 1, 1};
+      for (int i = 0; i < N; ++i)
+        q[i] += amplitude * factor[i] * noise();
+      m_elements.assign_coefficients(v, q, x);
+    }
+    return x;
+  }
+
+  const Field_elements<N>& m_elements;
+  Melt_and_freeze_schedule m_schedule;
+  const Progress_observer* m_observer;
+  Field_solver_kind m_kind;
+  Smoothness m_smoothness;
+  Integrability m_integrability;
+  Element_least_squares<Smoothness> m_smooth_problem;
+  Element_least_squares<Integrability> m_integrable_problem;
+  Cholesky_solver m_solver;
+  int m_iterations = 0;
+};
+
+} // namespace internal
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_ODECO_FRAME_FIELD_H
+#define QUADRILLE_ODECO_FRAME_FIELD_H
+
+#include <Quadrille/Odeco_field_options.h>
+#include <Quadrille/Odeco_frame_field/internal/Planar_field.h>
+#include <Quadrille/Support/internal/Indexed_triangulation.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace Quadrille {
+
+/// What a constrained edge asks of the frames on it.
+struct Edge_frame_constraint {
+  bool constrained = false; ///< otherwise the rest is ignored
+  bool aligned = true;      ///< frames have one vector along the edge
+  double source_size = 0;   ///< element size at `source(halfedge(e, mesh), mesh)`, in the mesh's unit; 0 leaves it free
+  double target_size = 0;   ///< and at the target
+};
+
+/// The pair of gradients (du, dv) that a map should have on a face; sizes of elements are 1 / |du|, 1 / |dv|.
+using Gradient_pair = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
+
+/// Judges a candidate field, given by its gradient pairs in the order of `faces(mesh)`: lower is better. Called from
+/// several threads at once.
+using Field_evaluator = std::function<double(const std::vector<Gradient_pair>&)>;
+
+/// Computes an integrable orthogonal frame field on a planar triangle mesh that has the sizes and directions prescribed
+/// on constrained edges (Couplet, Chemin, Remacle: Size-Controlled Quadrilateral Meshing using Integrable Odeco Fields).
+///
+/// Several candidates are computed: the smooth field relaxed to an integrable one, and `options.starts` fields by melting
+/// and freezing, which places the singularities that the sizes need. `evaluator` chooses among them; without one the
+/// lowest energy does (energies are comparable only between equal numbers of singularities, so a map-based evaluator
+/// is better).
+///
+/// A vertex between constrained edges takes the bisector of their frames and the geometric mean of their sizes;
+/// corners more than 30 degrees off a multiple of 90 degrees are left free.
+///
+/// \tparam TriangleMesh model of CGAL's `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam VertexPointMap readable property map, `vertex_descriptor` to a point with `x()` and `y()`
+/// \tparam EdgeConstraintMap readable property map, `edge_descriptor` to `Edge_frame_constraint`
+/// \tparam FaceGradientMap writable property map, `face_descriptor` to `Gradient_pair`; receives the chosen field
+///
+/// \pre faces are counterclockwise.
+/// \throws Invalid_input_error if the mesh is not a manifold oriented triangle mesh, or no edge is constrained.
+/// \throws Invalid_argument_error if a size is negative or not finite, or an option is out of range.
+/// \throws No_result_error ("field") if no candidate has positive sizes everywhere.
+///
+/// Results do not depend on `options.threads`. Cost: about 250 sparse factorisations per start, O(n^1.5) for n faces.
+template <class TriangleMesh, class VertexPointMap, class EdgeConstraintMap, class FaceGradientMap>
+Odeco_field_result odeco_frame_field(const TriangleMesh& mesh, const VertexPointMap& points,
+                                     const EdgeConstraintMap& constraints, const FaceGradientMap& gradients,
+                                     const Odeco_field_options& options = {}, const Field_evaluator& evaluator = {})
+{
+  const internal::Mesh_index<TriangleMesh> index(mesh);
+  const internal::Indexed_triangulation& triangulation = index.triangulation;
+  std::vector<Eigen::Vector2d> coordinates;
+  coordinates.reserve(index.vertex_of.size());
+  for (const auto v : index.vertex_of) {
+    const auto& p = get(points, v);
+    coordinates.emplace_back(double(p.x()), double(p.y()));
+  }
+  std::vector<internal::Constrained_halfedge> constrained;
+  for (int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+    if (triangulation.opposite(h) > h)
+      continue;
+    const auto descriptor = index.halfedge_of[std::size_t(h)];
+    const auto e = edge(descriptor, mesh);
+    const Edge_frame_constraint constraint = get(constraints, e);
+    if (!constraint.constrained)
+      continue;
+    const bool forward = source(halfedge(e, mesh), mesh) == source(descriptor, mesh);
+    constrained.push_back({h, constraint.aligned,
+                           {forward ? constraint.source_size : constraint.target_size,
+                            forward ? constraint.target_size : constraint.source_size}});
+  }
+  std::vector<Gradient_pair> chosen;
+  Odeco_field_result result =
+      internal::solve_planar_field(triangulation, coordinates, constrained, options, evaluator, chosen);
+  for (std::size_t f = 0; f < index.face_of.size(); ++f)
+    put(gradients, index.face_of[f], chosen[f]);
+  return result;
+}
+
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "field_test_meshes.h"
+
+#include <Quadrille/odeco_frame_field.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <boost/property_map/vector_property_map.hpp>
+#include <gtest/gtest.h>
+
+#include <Eigen/SparseCholesky>
+
+namespace {
+
+using namespace Quadrille;
+using namespace Quadrille_test;
+
+struct Field {
+  Odeco_field_result result;
+  std::vector<Gradient_pair> gradients;
+};
+
+/// Frames aligned with the boundary, of the given size there.
+Field boundary_field(const Mesh& mesh, const std::function<double(const Kernel::Point_2&)>& size,
+                     const Odeco_field_options& options, const Field_evaluator& evaluator = {})
+{
+  std::vector<Edge_frame_constraint> constraints(mesh.number_of_edges());
+  for (const Mesh::Edge_index e : mesh.edges())
+    if (mesh.is_border(e)) {
+      const Mesh::Halfedge_index h = mesh.halfedge(e);
+      constraints[e] = {true, true, size(mesh.point(mesh.source(h))), size(mesh.point(mesh.target(h)))};
+    }
+  Field field;
+  field.gradients.resize(mesh.number_of_faces());
+  field.result = odeco_frame_field(
+      mesh, mesh.points(), boost::make_iterator_property_map(constraints.begin(), boost::identity_property_map()),
+      boost::make_iterator_property_map(field.gradients.begin(), boost::identity_property_map()), options, evaluator);
+  return field;
+}
+
+Odeco_field_options quick(int starts)
+{
+  Odeco_field_options options;
+  options.starts = starts;
+  options.threads = 1;
+  return options;
+}
+
+TEST(Odeco_frame_field, finds_the_constant_field_of_a_rectangle)
+{
+  const Mesh mesh = square(8, 3).surface_mesh();
+  const Field field = boundary_field(mesh, [](const auto&) { return 0.5; }, quick(1));
+  EXPECT_LT(field.result.energy, 1e-12);
+  for (const auto& [du, dv] : field.gradients) {
+    EXPECT_NEAR(du.norm(), 2, 1e-6);
+    EXPECT_NEAR(dv.norm(), 2, 1e-6);
+    EXPECT_NEAR(std::abs(du.x() * du.y()), 0, 1e-6);
+  }
+}
+
+TEST(Odeco_frame_field, finds_the_conformal_field_of_an_annulus_sector)
+{
+  // Sizes proportional to the radius are integrable (the map is log z): what is left of the energy is discretisation.
+  double last_energy = 1e300;
+  for (const int n : {10, 20, 40}) {
+    const Mesh mesh = grid(n, n, [](double s, double t) {
+                        const double r = 1 + s, angle = 1.5 * (1 - t);
+                        return Eigen::Vector2d(r * std::sin(angle), r * std::cos(angle));
+                      }).surface_mesh();
+    const Field field = boundary_field(
+        mesh, [](const auto& p) { return 0.1 * std::hypot(p.x(), p.y()); }, quick(0));
+    EXPECT_LT(field.result.energy, last_energy / 3);
+    last_energy = field.result.energy;
+    for (const Mesh::Face_index f : mesh.faces()) {
+      Eigen::Vector2d center = Eigen::Vector2d::Zero();
+      for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+        center += Eigen::Vector2d(mesh.point(v).x(), mesh.point(v).y()) / 3;
+      const Gradient_pair& pair = field.gradients[f];
+      EXPECT_NEAR(pair.first.norm() * 0.1 * center.norm(), 1, 0.4 / n);
+      const double along = std::abs(pair.first.normalized().dot(center.normalized()));
+      EXPECT_LT(std::min(along, 1 - along), 0.4 / n);
+    }
+  }
+}
+
+/// The Dirichlet energy of the harmonic extension of log(size), by an independent assembly.
+double log_size_energy(const Triangles& triangles, double side)
+{
+  const auto n = Eigen::Index(triangles.points.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const auto& f : triangles.faces)
+    for (int i = 0; i < 3; ++i) {
+      const int a = f[std::size_t(i)], b = f[std::size_t((i + 1) % 3)], c = f[std::size_t((i + 2) % 3)];
+      const Eigen::Vector2d p = triangles.points[std::size_t(a)] - triangles.points[std::size_t(c)];
+      const Eigen::Vector2d q = triangles.points[std::size_t(b)] - triangles.points[std::size_t(c)];
+      const double w = 0.5 * p.dot(q) / (p.x() * q.y() - p.y() * q.x()); // half the cotangent
+      entries.insert(entries.end(), {{a, a, w}, {b, b, w}, {a, b, -w}, {b, a, -w}});
+    }
+  Eigen::SparseMatrix<double> stiffness(n, n);
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXd s(n);
+  Eigen::SparseMatrix<double> penalty(n, n);
+  for (Eigen::Index v = 0; v < n; ++v) {
+    const Eigen::Vector2d& p = triangles.points[std::size_t(v)];
+    s[v] = std::log(1 + p.y() / side);
+    const bool border = p.x() == 0 || p.y() == 0 || p.x() == side || p.y() == side;
+    penalty.insert(v, v) = border ? 1e10 : 0;
+  }
+  const Eigen::SparseMatrix<double> system = stiffness + penalty;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
+  s = solver.solve(penalty * s).eval();
+  return s.dot(stiffness * s);
+}
+
+TEST(Odeco_frame_field, without_singularities_the_lie_energy_is_that_of_the_harmonic_log_size)
+{
+  // For isotropic frames |Lie|^2 / a^2 = |grad t - J grad log s|^2; with t = 0 on the whole boundary the mixed term
+  // integrates to zero, so the minimum has t = 0 and a harmonic log s.
+  const Triangles triangles = square(30, 20);
+  const Field field = boundary_field(
+      triangles.surface_mesh(), [](const auto& p) { return 1 + p.y() / 20; }, quick(0));
+  const double expected = log_size_energy(triangles, 20);
+  EXPECT_EQ(field.result.starts[1].kind, Field_start::Kind::relaxed);
+  EXPECT_NEAR(field.result.energy, expected, 0.02 * expected);
+}
+
+TEST(Odeco_frame_field, melting_creates_singularities_whose_energy_the_smooth_start_never_sees)
+{
+  // With an evaluator that wants sizes to change quickly in the middle, a melted start wins over the relaxed one; it
+  // must have a vertex where the frames turn by a quarter.
+  const Mesh mesh = square(24, 20).surface_mesh();
+  Odeco_field_options options = quick(2);
+  const Field field = boundary_field(
+      mesh, [](const auto& p) { return 1 + p.y() / 20; }, options,
+      [&](const std::vector<Gradient_pair>& pairs) {
+        int turned = 0;
+        for (const Mesh::Vertex_index v : mesh.vertices()) {
+          if (mesh.is_border(v))
+            continue;
+          double turn = 0;
+          for (const Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+            const Eigen::Vector2d a = pairs[mesh.face(h)].first, b = pairs[mesh.face(mesh.opposite(h))].first;
+            turn += std::remainder(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()), std::acos(0.0));
+          }
+          turned += std::abs(turn) > 0.1 ? 1 : 0;
+        }
+        return -double(turned);
+      });
+  EXPECT_EQ(field.result.starts[std::size_t(field.result.chosen)].kind, Field_start::Kind::melted);
+  EXPECT_LE(field.result.starts[std::size_t(field.result.chosen)].cost, -2);
+  EXPECT_NEAR(field.result.energy, field.result.energy_lie + field.result.energy_odeco, 1e-9 * field.result.energy);
+}
+
+TEST(Odeco_frame_field, is_the_same_for_every_number_of_threads_and_seeded)
+{
+  const Mesh mesh = square(12, 1).surface_mesh();
+  const auto size = [](const Kernel::Point_2& p) { return 1 + p.y(); };
+  Odeco_field_options options = quick(3);
+  const Field one = boundary_field(mesh, size, options);
+  for (const int threads : {2, 4}) {
+    options.threads = threads;
+    const Field other = boundary_field(mesh, size, options);
+    EXPECT_EQ(one.gradients, other.gradients);
+    EXPECT_EQ(one.result.chosen, other.result.chosen);
+  }
+  options.seed = 77;
+  const Field reseeded = boundary_field(mesh, size, options);
+  EXPECT_NE(one.result.starts[2].energy, reseeded.result.starts[2].energy);
+}
+
+TEST(Odeco_frame_field, moves_turns_and_scales_with_the_domain)
+{
+  const Triangles triangles = square(12, 1);
+  const auto size = [](const Eigen::Vector2d& p) { return 1 + p.y(); };
+  // The energy chooses the relaxed field, so ask for a melted one, which amplifies every difference.
+  const Field_evaluator melted = [n = 0](const std::vector<Gradient_pair>&) mutable { return -double(n++); };
+  const Field plain = boundary_field(
+      triangles.surface_mesh(), [&](const auto& p) { return size({p.x(), p.y()}); }, quick(1), melted);
+  for (const double scale : {1e8, 1e-8}) {
+    const Eigen::Rotation2Dd turn(0.3);
+    Triangles moved = triangles;
+    for (Eigen::Vector2d& p : moved.points)
+      p = scale * (turn * p + Eigen::Vector2d(3, -2));
+    const Field field = boundary_field(
+        moved.surface_mesh(),
+        [&](const auto& p) {
+          return scale * size(turn.inverse() * (Eigen::Vector2d(p.x(), p.y()) / scale - Eigen::Vector2d(3, -2)));
+        },
+        quick(1), melted);
+    ASSERT_EQ(field.result.chosen, 2);
+    for (std::size_t f = 0; f < plain.gradients.size(); ++f)
+      EXPECT_LT((scale * field.gradients[f].first - turn * plain.gradients[f].first).norm(),
+                1e-6 * plain.gradients[f].first.norm());
+  }
+}
+
+TEST(Odeco_frame_field, corners_far_from_right_angles_are_left_free)
+{
+  // A rhombus with angles of 45 and 135 degrees has four corners whose edges share no frame.
+  const Mesh mesh = grid(10, 10, [](double s, double t) {
+                      return Eigen::Vector2d(s + t * std::sqrt(0.5), t * std::sqrt(0.5));
+                    }).surface_mesh();
+  EXPECT_EQ(boundary_field(mesh, [](const auto&) { return 0.1; }, quick(0)).result.free_corners, 4);
+  EXPECT_EQ(boundary_field(square(10, 1).surface_mesh(), [](const auto&) { return 0.1; }, quick(0))
+                .result.free_corners,
+            0);
+}
+
+TEST(Odeco_frame_field, lbfgs_reference_reaches_the_same_minimum)
+{
+#ifdef QUADRILLE_WITH_ALGLIB
+  const Mesh mesh = square(12, 1).surface_mesh();
+  const auto size = [](const Kernel::Point_2& p) { return 1 + p.y(); };
+  Odeco_field_options options = quick(0);
+  const double expected = boundary_field(mesh, size, options).result.energy;
+  options.solver = Field_solver_kind::lbfgs;
+  EXPECT_NEAR(boundary_field(mesh, size, options).result.energy, expected, 1e-3 * expected);
+#else
+  GTEST_SKIP() << "built without ALGLIB";
+#endif
+}
+
+TEST(Odeco_frame_field, rejects_what_it_cannot_use)
+{
+  const Mesh mesh = square(2, 1).surface_mesh();
+  EXPECT_THROW(boundary_field(mesh, [](const auto&) { return -1; }, quick(0)), Invalid_argument_error);
+  EXPECT_THROW(boundary_field(mesh, [](const auto&) { return std::nan(""); }, quick(0)), Invalid_argument_error);
+  EXPECT_THROW(boundary_field(mesh, [](const auto&) { return 1; }, quick(-1)), Invalid_argument_error);
+  Triangles clockwise = square(2, 1);
+  for (Eigen::Vector2d& p : clockwise.points)
+    p.x() = -p.x();
+  EXPECT_THROW(boundary_field(clockwise.surface_mesh(), [](const auto&) { return 1; }, quick(0)), Invalid_input_error);
+  std::vector<Edge_frame_constraint> none(mesh.number_of_edges());
+  std::vector<Gradient_pair> gradients(mesh.number_of_faces());
+  EXPECT_THROW(odeco_frame_field(
+                   mesh, mesh.points(),
+                   boost::make_iterator_property_map(none.begin(), boost::identity_property_map()),
+                   boost::make_iterator_property_map(gradients.begin(), boost::identity_property_map())),
+               Invalid_input_error);
+}
+
+} // namespace

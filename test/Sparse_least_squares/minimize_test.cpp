@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <Quadrille/check_jacobian.h>
+#include <Quadrille/Element_least_squares.h>
+#include <Quadrille/minimize_lbfgs.h>
+#include <Quadrille/minimize_least_squares.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace Quadrille;
+
+/// A chain of Rosenbrock's functions: minimum 0 at (1, ..., 1). `slope_error` spoils the Jacobian on purpose.
+struct Rosenbrock_chain {
+  static constexpr int max_residuals = 2;
+  static constexpr int max_unknowns = 2;
+  using Unknowns = Eigen::Vector2d;
+  using Residuals = Eigen::Vector2d;
+  using Jacobian = Eigen::Matrix2d;
+  std::size_t n = 2;
+  double slope_error = 0;
+
+  std::size_t number_of_elements() const { return n - 1; }
+  int element_unknowns(std::size_t e, std::array<int, 2>& index) const
+  {
+    index = {int(e), int(e) + 1};
+    return 2;
+  }
+  bool evaluate(std::size_t, const Unknowns& x, Residuals& r, Jacobian* J) const
+  {
+    r << 10 * (x[1] - x[0] * x[0]), 1 - x[0];
+    if (J)
+      *J << -20 * x[0] + slope_error, 10, -1, 0;
+    return true;
+  }
+};
+
+/// (log x - 1)^2, defined for positive x only.
+struct Logarithm {
+  static constexpr int max_residuals = 1;
+  static constexpr int max_unknowns = 1;
+  using Unknowns = Eigen::Matrix<double, 1, 1>;
+  using Residuals = Eigen::Matrix<double, 1, 1>;
+  using Jacobian = Eigen::Matrix<double, 1, 1>;
+  std::size_t number_of_elements() const { return 1; }
+  int element_unknowns(std::size_t, std::array<int, 1>& index) const
+  {
+    index[0] = 0;
+    return 1;
+  }
+  bool evaluate(std::size_t, const Unknowns& x, Residuals& r, Jacobian* J) const
+  {
+    if (!(x[0] > 0))
+      return false;
+    r[0] = std::log(x[0]) - 1;
+    if (J)
+      (*J)(0, 0) = 1 / x[0];
+    return true;
+  }
+};
+
+TEST(Jacobian_error, accepts_the_right_and_rejects_a_wrong_jacobian)
+{
+  const Eigen::Vector2d x(0.3, -0.7);
+  EXPECT_LT(jacobian_error(Rosenbrock_chain(), 0, x), 1e-8);
+  EXPECT_GT(jacobian_error(Rosenbrock_chain{2, 0.1}, 0, x), 1e-3);
+  EXPECT_TRUE(std::isinf(jacobian_error(Logarithm(), 0, Logarithm::Unknowns(-1.0))));
+}
+
+TEST(Element_least_squares, assembles_gradient_and_gauss_newton_matrix)
+{
+  const Rosenbrock_chain chain{6};
+  Element_least_squares<Rosenbrock_chain> problem(chain, 6);
+  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(6, -1, 1.5);
+  const double energy = problem.linearize(x);
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(10, 6);
+  Eigen::VectorXd r(10);
+  for (int e = 0; e < 5; ++e) {
+    Eigen::Vector2d local_r;
+    Eigen::Matrix2d local_J;
+    chain.evaluate(std::size_t(e), x.segment<2>(e), local_r, &local_J);
+    r.segment<2>(2 * e) = local_r;
+    J.block<2, 2>(2 * e, e) = local_J;
+  }
+  EXPECT_NEAR(energy, 0.5 * r.squaredNorm(), 1e-12 * energy);
+  EXPECT_LT((problem.gradient() - J.transpose() * r).norm(), 1e-10);
+  const Eigen::MatrixXd lower = (J.transpose() * J).triangularView<Eigen::Lower>();
+  EXPECT_LT((Eigen::MatrixXd(problem.gauss_newton_matrix()) - lower).norm(), 1e-10);
+  EXPECT_EQ(problem.energy(x), energy);
+}
+
+template <class Minimize> void expect_rosenbrock_minimum(const Minimize& minimize)
+{
+  const Rosenbrock_chain chain{50};
+  Element_least_squares<Rosenbrock_chain> problem(chain, 50);
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(50, -0.5);
+  const Minimization_report report = minimize(problem, x);
+  EXPECT_LT((x - Eigen::VectorXd::Ones(50)).norm(), 1e-3);
+  EXPECT_LT(report.energy, 1e-6 * report.initial_energy);
+  EXPECT_EQ(report.energy, problem.energy(x));
+}
+
+TEST(Minimizers, agree_on_the_minimum)
+{
+  using Problem = Element_least_squares<Rosenbrock_chain>;
+  expect_rosenbrock_minimum([](Problem& problem, Eigen::VectorXd& x) {
+    Levenberg_marquardt_options options;
+    options.max_iterations = 1000;
+    return minimize_levenberg_marquardt(problem, x, options);
+  });
+  expect_rosenbrock_minimum([](Problem& problem, Eigen::VectorXd& x) {
+    Preconditioned_lbfgs_options options;
+    options.max_iterations = 5000;
+    options.relative_decrease = 1e-12;
+    return minimize_preconditioned_lbfgs(problem, x, options);
+  });
+#ifdef QUADRILLE_WITH_ALGLIB
+  expect_rosenbrock_minimum([](Problem& problem, Eigen::VectorXd& x) {
+    Lbfgs_options options;
+    options.relative_decrease = 1e-12;
+    return minimize_lbfgs(problem, x, options);
+  });
+#endif
+}
+
+TEST(Levenberg_marquardt, solves_linear_problems_in_one_undamped_step)
+{
+  struct Line : Logarithm {
+    bool evaluate(std::size_t, const Unknowns& x, Residuals& r, Jacobian* J) const
+    {
+      r[0] = 3 * x[0] - 6;
+      if (J)
+        (*J)(0, 0) = 3;
+      return true;
+    }
+  } line;
+  Element_least_squares<Line> problem(line, 1);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(1);
+  Levenberg_marquardt_options options;
+  options.initial_damping = 0;
+  options.max_iterations = 1;
+  minimize_levenberg_marquardt(problem, x, options);
+  EXPECT_NEAR(x[0], 2, 1e-14);
+}
+
+TEST(Levenberg_marquardt, stays_inside_the_domain)
+{
+  const Logarithm term;
+  Element_least_squares<Logarithm> problem(term, 1);
+  Eigen::VectorXd x(1);
+  x[0] = 100; // the full first step leads to a negative x
+  minimize_levenberg_marquardt(problem, x);
+  EXPECT_NEAR(x[0], std::exp(1.0), 1e-6);
+  x[0] = -1;
+  EXPECT_EQ(minimize_levenberg_marquardt(problem, x).status, Minimization_status::outside_domain);
+}
+
+TEST(Element_least_squares, does_not_depend_on_the_number_of_threads)
+{
+  const Rosenbrock_chain chain{20000};
+  Eigen::VectorXd start = Eigen::VectorXd::LinSpaced(20000, -1, 2), results[3];
+  const int threads[3] = {1, 2, 4};
+  for (int i = 0; i < 3; ++i) {
+    Element_least_squares<Rosenbrock_chain> problem(chain, 20000, threads[i]);
+    Levenberg_marquardt_options options;
+    options.max_iterations = 5;
+    results[i] = start;
+    minimize_levenberg_marquardt(problem, results[i], options);
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
+TEST(Minimizers, stop_when_the_observer_says_so)
+{
+  const Rosenbrock_chain chain{10};
+  Element_least_squares<Rosenbrock_chain> problem(chain, 10);
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(10, -1);
+  const Progress_observer observer([](const std::string&, double) { return false; });
+  Levenberg_marquardt_options options;
+  options.observer = &observer;
+  EXPECT_THROW(minimize_levenberg_marquardt(problem, x, options), Cancelled_error);
+}
+
+} // namespace
