@@ -11,7 +11,7 @@
 #include <Eigen/CholmodSupport>
 #endif
 
-#include <stdexcept>
+#include <Quadrille/Sparse_least_squares/internal/Serial_openmp.h>
 
 namespace Quadrille {
 
@@ -19,7 +19,8 @@ namespace Quadrille {
 ///
 /// Supernodal CHOLMOD where the build has it, Eigen's simplicial factorisation otherwise (several times slower, but
 /// without SuiteSparse's licence). The fill-reducing ordering is computed once per pattern by `analyze`.
-/// Objects share nothing: different threads may use different objects at the same time.
+/// Objects share nothing: different threads may use different objects at the same time. A factorisation runs on the
+/// calling thread alone, so results do not depend on the number of cores; use a BLAS that does the same.
 class Cholesky_solver {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -33,12 +34,17 @@ public:
   /// Complexity for a planar mesh of n vertices: O(n^1.5), with fill O(n log n).
   bool factorize(const Matrix& lower)
   {
+    const internal::Serial_openmp serial;
     m_solver.factorize(lower);
     return m_solver.info() == Eigen::Success;
   }
 
   /// Solves A x = b. \pre the last `factorize` returned `true`.
-  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { x = m_solver.solve(b); }
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const
+  {
+    const internal::Serial_openmp serial;
+    x = m_solver.solve(b);
+  }
 
 private:
 #ifdef QUADRILLE_WITH_CHOLMOD

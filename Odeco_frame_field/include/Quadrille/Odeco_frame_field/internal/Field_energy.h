@@ -18,10 +18,7 @@ enum class Field_energy_kind {
 
 /// The normalised energies of planar-2 as a `LeastSquaresTerm`: linear triangles, three-point quadrature.
 ///
-/// Half the squared norm of the residuals is the energy. The Lie bracket comes from the closed form of eq. (28): with
-/// entries t_0 ... t_4 of the tensor, [u, v]_i = sum over a in {0, 1}, m in {0, ..., 3} of
-/// (-1)^(m + 1) binomial(3, m) t_{a + 3 - m} d_a t_{i + m}. (The paper's sign is the opposite, since there v is u turned
-/// by -90 degrees.)
+/// Half the squared norm of the residuals is the energy.
 template <int N, Field_energy_kind kind> class Field_energy {
   using Traits = Tensor_coefficients<N>;
   static constexpr int odeco = Traits::odeco_equations;
@@ -71,7 +68,6 @@ public:
 private:
   using Element = typename Field_elements<N>::Element;
   using Corners = std::array<Coefficients, 3>;
-  using Entries = Eigen::Matrix<double, 5, 1>;
 
   static double weight(int point, int corner) { return point == corner ? 2. / 3 : 1. / 6; }
   static Coefficients interpolate(const Corners& q, int point)
@@ -127,54 +123,28 @@ private:
 
   bool add_integrability(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
   {
-    const auto& matrix = Traits::entries_matrix();
-    const Entries t_corner[3] = {matrix * q[0], matrix * q[1], matrix * q[2]};
-    Entries d[2];
+    Coefficients d[2];
     for (int a = 0; a < 2; ++a)
-      d[a] = element.gradient(a, 0) * t_corner[0] + element.gradient(a, 1) * t_corner[1] +
-             element.gradient(a, 2) * t_corner[2];
+      d[a] = element.gradient(a, 0) * q[0] + element.gradient(a, 1) * q[1] + element.gradient(a, 2) * q[2];
     const double factor = std::sqrt(2. / 3 * element.area);
-    constexpr double c[4] = {-1, 3, -3, 1};
-
-    // The same at every point, since d is constant.
-    Eigen::Matrix<double, 2, N> by_value = Eigen::Matrix<double, 2, N>::Zero();
-    if (J) {
-      Eigen::Matrix<double, 2, 5> by_t = Eigen::Matrix<double, 2, 5>::Zero();
-      for (int i = 0; i < 2; ++i)
-        for (int a = 0; a < 2; ++a)
-          for (int m = 0; m < 4; ++m)
-            by_t(i, a + 3 - m) += c[m] * d[a][i + m];
-      by_value.noalias() = by_t * matrix;
-    }
+    Lie_bracket<N> lie;
     for (int p = 0; p < points; ++p) {
       const Coefficients at = interpolate(q, p);
       Coefficients area_derivatives;
       const double area = Traits::area(at, J ? &area_derivatives : nullptr);
       if (!is_positive(at, area))
         return false;
-      const Entries t = (t_corner[0] + t_corner[1] + t_corner[2]) / 6 + 0.5 * t_corner[p];
-      Eigen::Vector2d lie = Eigen::Vector2d::Zero();
-      for (int i = 0; i < 2; ++i)
-        for (int a = 0; a < 2; ++a)
-          for (int m = 0; m < 4; ++m)
-            lie[i] += c[m] * t[a + 3 - m] * d[a][i + m];
+      lie.evaluate(at, d[0], d[1], J != nullptr);
       const double scale = factor / area;
-      r.template segment<2>(2 * p) = scale * lie;
+      r.template segment<2>(2 * p) = scale * lie.value;
       if (!J)
         continue;
-      Eigen::Matrix<double, 2, N> by_derivative[2];
-      for (int a = 0; a < 2; ++a) {
-        Eigen::Matrix<double, 2, 5> by_d = Eigen::Matrix<double, 2, 5>::Zero();
-        for (int i = 0; i < 2; ++i)
-          for (int m = 0; m < 4; ++m)
-            by_d(i, i + m) = scale * c[m] * t[a + 3 - m];
-        by_derivative[a].noalias() = by_d * matrix;
-      }
       const Eigen::Matrix<double, 2, N> by_point =
-          scale * (by_value - lie / area * area_derivatives.transpose());
+          scale * (lie.by_value - lie.value / area * area_derivatives.transpose());
       for (int k = 0; k < 3; ++k)
-        J->template block<2, N>(2 * p, k * N) = weight(p, k) * by_point + element.gradient(0, k) * by_derivative[0] +
-                                                element.gradient(1, k) * by_derivative[1];
+        J->template block<2, N>(2 * p, k * N) =
+            weight(p, k) * by_point + scale * element.gradient(0, k) * lie.by_derivative[0] +
+            scale * element.gradient(1, k) * lie.by_derivative[1];
     }
     return true;
   }
