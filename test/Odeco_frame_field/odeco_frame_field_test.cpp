@@ -133,7 +133,7 @@ TEST(Odeco_frame_field, melting_creates_singularities_whose_energy_the_smooth_st
   Odeco_field_options options = quick(2);
   const Field field = boundary_field(
       mesh, [](const auto& p) { return 1 + p.y() / 20; }, options,
-      [&](const std::vector<Gradient_pair>& pairs) {
+      [&](std::size_t, const std::vector<Gradient_pair>& pairs) {
         int turned = 0;
         for (const Mesh::Vertex_index v : mesh.vertices()) {
           if (mesh.is_border(v))
@@ -174,7 +174,7 @@ TEST(Odeco_frame_field, moves_turns_and_scales_with_the_domain)
   const Triangles triangles = square(12, 1);
   const auto size = [](const Eigen::Vector2d& p) { return 1 + p.y(); };
   // The energy chooses the relaxed field, so ask for a melted one, which amplifies every difference.
-  const Field_evaluator melted = [n = 0](const std::vector<Gradient_pair>&) mutable { return -double(n++); };
+  const Field_evaluator melted = [](std::size_t start, const std::vector<Gradient_pair>&) { return -double(start); };
   const Field plain = boundary_field(
       triangles.surface_mesh(), [&](const auto& p) { return size({p.x(), p.y()}); }, quick(1), melted);
   for (const double scale : {1e8, 1e-8}) {

@@ -27,9 +27,9 @@ struct Edge_frame_constraint {
 /// The pair of gradients (du, dv) that a map should have on a face; sizes of elements are 1 / |du|, 1 / |dv|.
 using Gradient_pair = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 
-/// Judges a candidate field, given by its gradient pairs in the order of `faces(mesh)`: lower is better. Called from
-/// several threads at once.
-using Field_evaluator = std::function<double(const std::vector<Gradient_pair>&)>;
+/// Judges a candidate field, given by its gradient pairs in the order of `faces(mesh)`: lower is better. `start` is the
+/// candidate's place in `Odeco_field_result::starts`. Called from several threads at once.
+using Field_evaluator = std::function<double(std::size_t start, const std::vector<Gradient_pair>&)>;
 
 /// Computes an integrable orthogonal frame field on a planar triangle mesh that has the sizes and directions prescribed
 /// on constrained edges (Couplet, Chemin, Remacle: Size-Controlled Quadrilateral Meshing using Integrable Odeco Fields).

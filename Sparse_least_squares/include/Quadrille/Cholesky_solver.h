@@ -11,7 +11,7 @@
 #include <Eigen/CholmodSupport>
 #endif
 
-#include <Quadrille/Sparse_least_squares/internal/Serial_openmp.h>
+#include <Quadrille/Sparse_least_squares/internal/Serial_linear_algebra.h>
 
 namespace Quadrille {
 
@@ -20,7 +20,8 @@ namespace Quadrille {
 /// Supernodal CHOLMOD where the build has it, Eigen's simplicial factorisation otherwise (several times slower, but
 /// without SuiteSparse's licence). The fill-reducing ordering is computed once per pattern by `analyze`.
 /// Objects share nothing: different threads may use different objects at the same time. A factorisation runs on the
-/// calling thread alone, so results do not depend on the number of cores; use a BLAS that does the same.
+/// calling thread alone, so results do not depend on the number of cores. The BLAS must allow calls from several
+/// threads; OpenBLAS's serial build, where it is made without locks, does not.
 class Cholesky_solver {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -34,7 +35,7 @@ public:
   /// Complexity for a planar mesh of n vertices: O(n^1.5), with fill O(n log n).
   bool factorize(const Matrix& lower)
   {
-    const internal::Serial_openmp serial;
+    const internal::Serial_linear_algebra serial;
     m_solver.factorize(lower);
     return m_solver.info() == Eigen::Success;
   }
@@ -42,7 +43,7 @@ public:
   /// Solves A x = b. \pre the last `factorize` returned `true`.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const
   {
-    const internal::Serial_openmp serial;
+    const internal::Serial_linear_algebra serial;
     x = m_solver.solve(b);
   }
 

@@ -143,7 +143,7 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
                                              const std::vector<Eigen::Vector2d>& points,
                                              const std::vector<Constrained_halfedge>& edges,
                                              const Odeco_field_options& options,
-                                             const std::function<double(const Gradients&)>& evaluator,
+                                             const std::function<double(std::size_t, const Gradients&)>& evaluator,
                                              Gradients& gradients)
 {
   constexpr int N = 3;
@@ -196,7 +196,7 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
     start.energy = solver.integrability_energy(fields[i]);
     const Gradients pairs = std::isfinite(start.energy) ? to_gradients(fields[i]) : Gradients();
     start.valid = !pairs.empty();
-    start.cost = !start.valid ? std::numeric_limits<double>::infinity() : evaluator ? evaluator(pairs) : start.energy;
+    start.cost = !start.valid ? std::numeric_limits<double>::infinity() : evaluator ? evaluator(i, pairs) : start.energy;
     start.seconds = watch.seconds();
     result.starts[i] = start;
   };
