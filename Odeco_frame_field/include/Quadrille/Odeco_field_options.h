@@ -21,7 +21,7 @@ enum class Field_solver_kind {
 /// How melting and freezing places singularities. Epsilons are in units of the local triangle size.
 struct Melt_and_freeze_schedule {
   double smooth_epsilon = 2;  ///< of the smooth start
-  double melt_epsilon = 20;   ///< large: singularities are cheap and move
+  double melt_epsilon = 20;   ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
   double noise = 0.9;         ///< on every free coefficient, relative to q0; below about 0.5 nothing happens
   int melt_steps = 15;        ///< Levenberg-Marquardt steps that take the noise out
   int soft_iterations = 200;  ///< preconditioned L-BFGS iterations at the melting epsilon

@@ -187,10 +187,14 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
     return pairs;
   };
 
+  // A singularity has to be soft over the same part of the domain however fine the triangles are.
+  Melt_and_freeze_schedule schedule = options.schedule;
+  schedule.melt_epsilon *= std::max(1.0, std::sqrt(mesh.number_of_faces() / 2500.0));
+
   const std::size_t n_starts = 2 + std::size_t(options.solver == Field_solver_kind::lbfgs ? 0 : options.starts);
   result.starts.resize(n_starts);
   std::vector<Eigen::VectorXd> fields(n_starts);
-  Field_solver<N> first_solver(elements, options.schedule, options.threads, options.observer, options.solver);
+  Field_solver<N> first_solver(elements, schedule, options.threads, options.observer, options.solver);
   const auto finish_start = [&](std::size_t i, Field_start start, const Field_solver<N>& solver,
                                 const Stopwatch& watch) {
     start.energy = solver.integrability_energy(fields[i]);
@@ -220,7 +224,7 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
       n_starts - 2, options.threads,
       [&](std::size_t i) {
         const Stopwatch watch;
-        Field_solver<N> solver(elements, options.schedule, 1, options.observer, options.solver);
+        Field_solver<N> solver(elements, schedule, 1, options.observer, options.solver);
         Field_start start;
         start.kind = Field_start::Kind::melted;
         start.seed = options.seed + i;

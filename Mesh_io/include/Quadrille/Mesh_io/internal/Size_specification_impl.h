@@ -1,0 +1,294 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_MESH_IO_INTERNAL_SIZE_SPECIFICATION_IMPL_H
+#define QUADRILLE_MESH_IO_INTERNAL_SIZE_SPECIFICATION_IMPL_H
+
+#include <Quadrille/Size_specification.h>
+#include <Quadrille/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <locale>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Quadrille {
+namespace internal {
+
+/// A positive finite number that takes up all of `text`. Decimal point whatever the locale.
+inline double parse_size(const std::string& text, const std::string& item)
+{
+  double value = 0;
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  if (!(stream >> value) || !(stream >> std::ws).eof())
+    throw Invalid_argument_error("size '" + item + "': '" + text + "' is not a number");
+  if (!std::isfinite(value) || value <= 0)
+    throw Invalid_argument_error("size '" + item + "': element sizes must be positive, '" + text + "' is not");
+  return value;
+}
+
+inline std::string format_number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// Curves that join end to end, with the direction in which each is passed.
+struct Curve_sequence {
+  std::vector<std::pair<int, bool>> curves; ///< index, forward
+  bool closed = false;
+};
+
+/// Arranges some curves of a domain in sequences. \returns false if more than two of them meet in a point.
+inline bool arrange_in_sequences(const Planar_domain& domain, const std::vector<int>& curves,
+                                 std::vector<Curve_sequence>& sequences)
+{
+  using Vertex = Planar_domain::vertex_descriptor;
+  std::map<Vertex, std::vector<int>> curves_at;
+  for (const int c : curves) {
+    curves_at[domain.curves[std::size_t(c)].first].push_back(c);
+    curves_at[domain.curves[std::size_t(c)].last].push_back(c);
+  }
+  for (const auto& [vertex, incident] : curves_at)
+    if (incident.size() > 2)
+      return false;
+  std::vector<int> by_tag = curves;
+  std::stable_sort(by_tag.begin(), by_tag.end(), [&](int a, int b) {
+    return domain.curves[std::size_t(a)].tag < domain.curves[std::size_t(b)].tag;
+  });
+  std::set<int> done;
+  for (const int seed : by_tag) {
+    if (!done.insert(seed).second)
+      continue;
+    Curve_sequence sequence;
+    const auto extend = [&](Vertex at, bool ahead) {
+      for (;;) {
+        const std::vector<int>& incident = curves_at[at];
+        const auto next = std::find_if(incident.begin(), incident.end(), [&](int c) { return !done.count(c); });
+        if (next == incident.end())
+          return at;
+        done.insert(*next);
+        const Planar_domain::Curve& curve = domain.curves[std::size_t(*next)];
+        const bool leaves = curve.first == at;
+        if (ahead)
+          sequence.curves.emplace_back(*next, leaves);
+        else
+          sequence.curves.insert(sequence.curves.begin(), {*next, !leaves});
+        at = leaves ? curve.last : curve.first;
+      }
+    };
+    sequence.curves.emplace_back(seed, true);
+    const Vertex end = extend(domain.curves[std::size_t(seed)].last, true);
+    const Vertex begin = extend(domain.curves[std::size_t(seed)].first, false);
+    sequence.closed = begin == end;
+    sequences.push_back(std::move(sequence));
+  }
+  return true;
+}
+
+/// Writes sizes edge by edge.
+class Size_setter {
+public:
+  Size_setter(const Planar_domain& domain, Domain_sizes& sizes) : m_domain(domain), m_sizes(sizes) {}
+
+  /// From `first` to `last`, linear in the arc length of the whole sequence.
+  void set_linear(const Curve_sequence& sequence, double first, double last)
+  {
+    double length = 0;
+    for (const auto& [c, forward] : sequence.curves)
+      length += curve_length(c);
+    double s = 0;
+    for (const auto& [c, forward] : sequence.curves) {
+      const auto& path = m_domain.curves[std::size_t(c)].path;
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        const auto h = forward ? path[i] : m_domain.mesh.opposite(path[path.size() - 1 - i]);
+        const double next = s + edge_length(h);
+        const bool is_end = c == sequence.curves.back().first && i + 1 == path.size();
+        const double a = first + (last - first) * (s / length);
+        const double b = is_end ? last : first + (last - first) * (next / length);
+        set(h, a, b);
+        s = next;
+      }
+    }
+  }
+
+  void set_constant(int c, double size)
+  {
+    for (const auto h : m_domain.curves[std::size_t(c)].path)
+      set(h, size, size);
+  }
+
+private:
+  void set(Planar_domain::halfedge_descriptor h, double at_source, double at_target)
+  {
+    const auto e = m_domain.mesh.edge(h);
+    std::array<double, 2>& size = m_sizes.of_edge[std::size_t(e.idx())];
+    size = {at_source, at_target};
+    if (m_domain.mesh.halfedge(e) != h)
+      std::swap(size[0], size[1]);
+  }
+
+  double edge_length(Planar_domain::halfedge_descriptor h) const
+  {
+    const auto d = m_domain.mesh.point(m_domain.mesh.target(h)) - m_domain.mesh.point(m_domain.mesh.source(h));
+    return std::hypot(d.x(), d.y());
+  }
+  double curve_length(int c) const
+  {
+    double length = 0;
+    for (const auto h : m_domain.curves[std::size_t(c)].path)
+      length += edge_length(h);
+    return length;
+  }
+
+  const Planar_domain& m_domain;
+  Domain_sizes& m_sizes;
+};
+
+/// The curves that a name stands for: those of a physical group, or with a tag.
+inline std::vector<int> curves_named(const Planar_domain& domain, const std::string& name)
+{
+  std::vector<int> by_name, by_tag;
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    const Planar_domain::Curve& curve = domain.curves[c];
+    if (std::find(curve.names.begin(), curve.names.end(), name) != curve.names.end())
+      by_name.push_back(int(c));
+    if (std::to_string(curve.tag) == name)
+      by_tag.push_back(int(c));
+  }
+  return by_name.empty() ? by_tag : by_name;
+}
+
+inline std::string list_of_names(const Planar_domain& domain)
+{
+  std::set<std::string> names;
+  std::set<int> tags;
+  for (const Planar_domain::Curve& curve : domain.curves) {
+    names.insert(curve.names.begin(), curve.names.end());
+    tags.insert(curve.tag);
+  }
+  std::string text = names.empty() ? "no physical groups of curves" : "physical groups";
+  for (const std::string& name : names)
+    text += (name == *names.begin() ? " " : ", ") + name;
+  text += "; curve tags";
+  int n = 0;
+  for (const int tag : tags) {
+    if (n == 20) {
+      text += ", ... (" + std::to_string(tags.size()) + " in all)";
+      break;
+    }
+    text += (n++ == 0 ? " " : ", ") + std::to_string(tag);
+  }
+  return text;
+}
+
+/// Sizes that the file gives at points, along curves that have one at both ends.
+inline int apply_point_sizes(const Planar_domain& domain, Size_setter& setter)
+{
+  int n = 0;
+  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
+    const double first = domain.point_size[std::size_t(domain.curves[c].first.idx())];
+    const double last = domain.point_size[std::size_t(domain.curves[c].last.idx())];
+    if (first > 0 && last > 0) {
+      setter.set_linear({{{int(c), true}}, domain.curves[c].closed}, first, last);
+      ++n;
+    }
+  }
+  return n;
+}
+
+inline double default_size(const Planar_domain& domain)
+{
+  CGAL::Bbox_2 box;
+  for (const auto v : domain.mesh.vertices())
+    box += domain.mesh.point(v).bbox();
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin()) / 40;
+}
+
+} // namespace internal
+
+inline void Size_specification::add(const std::string& text)
+{
+  Item item;
+  item.text = text;
+  const std::size_t equals = text.rfind('=');
+  const std::string value = equals == std::string::npos ? text : text.substr(equals + 1);
+  if (equals != std::string::npos) {
+    item.name = text.substr(0, equals);
+    if (item.name.empty())
+      throw Invalid_argument_error("size '" + text + "': there is no name before '='");
+  }
+  const std::size_t colon = value.find(':'), times = value.find('x');
+  if (colon != std::string::npos || times != std::string::npos) {
+    if (item.name.empty())
+      throw Invalid_argument_error("size '" + text + "': A:B and NxT need the name of a curve, as in NAME=" + text);
+    const std::size_t split = std::min(colon, times);
+    item.first = internal::parse_size(value.substr(0, split), text);
+    item.last = internal::parse_size(value.substr(split + 1), text);
+    if (times < colon && item.first != item.last)
+      throw Invalid_argument_error("size '" + text + "': different sizes across and along a curve are anisotropic, " +
+                                   "which needs --anisotropic; that is not available yet, so give equal sizes");
+  } else {
+    item.first = item.last = internal::parse_size(value, text);
+  }
+  m_items.push_back(std::move(item));
+}
+
+inline Domain_sizes Size_specification::apply(const Planar_domain& domain) const
+{
+  Domain_sizes sizes;
+  sizes.of_edge.assign(domain.mesh.number_of_edges(), {0, 0});
+  internal::Size_setter setter(domain, sizes);
+
+  const Item* everywhere = nullptr;
+  for (const Item& item : m_items)
+    if (item.name.empty())
+      everywhere = &item;
+  if (everywhere) {
+    for (std::size_t c = 0; c < domain.curves.size(); ++c)
+      setter.set_constant(int(c), everywhere->first);
+  } else if (const int n = internal::apply_point_sizes(domain, setter)) {
+    sizes.notes.push_back("element sizes from the points of the file, on " + std::to_string(n) + " of " +
+                          std::to_string(domain.curves.size()) + " curves");
+  } else if (m_items.empty()) {
+    const double size = internal::default_size(domain);
+    for (std::size_t c = 0; c < domain.curves.size(); ++c)
+      setter.set_constant(int(c), size);
+    sizes.notes.push_back("element size " + internal::format_number(size) + " everywhere (bounding box diagonal / 40)");
+  }
+
+  for (const Item& item : m_items) {
+    if (item.name.empty())
+      continue;
+    const std::vector<int> curves = internal::curves_named(domain, item.name);
+    if (curves.empty())
+      throw Invalid_argument_error("size '" + item.text + "': there is no curve named '" + item.name + "' in " +
+                                   domain.source + " (" + internal::list_of_names(domain) + ")");
+    std::vector<internal::Curve_sequence> sequences;
+    if (item.first == item.last) {
+      for (const int c : curves)
+        setter.set_constant(c, item.first);
+    } else if (!internal::arrange_in_sequences(domain, curves, sequences)) {
+      throw Invalid_argument_error("size '" + item.text + "': the curves named '" + item.name +
+                                   "' branch, so that they have no first and last point; name them one by one");
+    }
+    for (const internal::Curve_sequence& sequence : sequences) {
+      if (sequence.closed)
+        throw Invalid_argument_error("size '" + item.text + "': the curve is closed, so that two different sizes " +
+                                     "would meet in one point; give one size");
+      setter.set_linear(sequence, item.first, item.last);
+    }
+  }
+  return sizes;
+}
+
+} // namespace Quadrille
+
+#endif

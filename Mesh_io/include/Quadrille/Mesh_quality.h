@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_MESH_QUALITY_H
+#define QUADRILLE_MESH_QUALITY_H
+
+#include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/Planar_domain.h>
+#include <Quadrille/Size_specification.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Quadrille {
+
+/// Whether polygons form a valid planar quad mesh. Decided exactly, on the coordinates as they are.
+struct Mesh_validity {
+  std::size_t non_quads = 0;
+  std::size_t degenerate_quads = 0;       ///< that use a vertex twice
+  std::size_t inverted_corners = 0;       ///< with an angle of 180 degrees or more, or 0 or less
+  std::size_t non_manifold_edges = 0;     ///< in more than two quads, or in two that are oriented differently
+  std::size_t non_manifold_vertices = 0;  ///< where several fans of quads meet
+  std::size_t duplicate_vertices = 0;     ///< with the coordinates of another one
+  std::size_t overlapping_borders = 0;    ///< 1 if the border meets itself: hanging vertices, overlaps
+  std::size_t isolated_vertices = 0;      ///< in no quad; allowed
+  int boundary_loops = 0;
+  int components = 0;
+  int euler_characteristic = 0;
+  bool clockwise = false;            ///< all quads are, which is allowed
+  std::vector<std::string> problems; ///< one sentence per kind, naming the first element; empty for a valid mesh
+
+  bool is_valid() const { return problems.empty(); }
+};
+
+/// Complexity: O(n log n).
+Mesh_validity check_quad_mesh(const Labelled_mesh& mesh);
+
+/// How good the quads of a mesh are.
+struct Mesh_quality {
+  double scaled_jacobian_min = 0;  ///< of a quad: smallest sine of its corner angles, negative for angles above 180
+  double scaled_jacobian_mean = 0; ///< over the quads
+  double skew_mean = 0;            ///< of a quad: largest |corner angle - 90|, in degrees
+  double skew_max = 0;
+  std::map<int, int> irregular;          ///< valence -> number of interior vertices with other than 4 edges
+  std::map<int, int> irregular_boundary; ///< number of quads -> number of boundary vertices with other than 2 quads
+};
+
+/// \pre all polygons are quads. Other polygons are skipped.
+Mesh_quality measure_quality(const Labelled_mesh& mesh);
+
+/// |log(edge length / prescribed size)| over the edges on curves with a prescribed size.
+struct Size_error {
+  double mean = 0;
+  double max = 0;
+  std::size_t n_edges = 0;
+};
+
+/// Compares the lengths of `mesh.lines` (or, when it has none, of its border edges) with the sizes at the nearest
+/// points of the domain's curves. Complexity: edges of the mesh times edges on curves of the domain.
+Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& domain, const Domain_sizes& sizes);
+
+} // namespace Quadrille
+
+#include <Quadrille/Mesh_io/internal/Mesh_quality_impl.h>
+
+#endif

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_SIZE_SPECIFICATION_H
+#define QUADRILLE_SIZE_SPECIFICATION_H
+
+#include <Quadrille/Planar_domain.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Quadrille {
+
+/// Element sizes along the curves of a planar domain, in the domain's units.
+struct Domain_sizes {
+  /// Per edge of the domain's mesh: the sizes at source and target of `halfedge(edge)`; 0 where none is prescribed
+  /// (inside the regions, and on curves that are only to be aligned with).
+  std::vector<std::array<double, 2>> of_edge;
+  /// What was chosen, one sentence per line, for the user.
+  std::vector<std::string> notes;
+
+  bool is_prescribed(Planar_domain::edge_descriptor e) const { return of_edge[std::size_t(e.idx())][0] > 0; }
+};
+
+/// What the user says about element sizes, in the notation of the program's option `--size`.
+///
+/// * `S`: size S on every curve (border and inside) that no other item names;
+/// * `NAME=S`: size S on the curves of physical group NAME, or on the curve with tag NAME;
+/// * `NAME=A:B`: from A at the first to B at the last point, linear in arc length. The curves of a group are taken
+///   together where they join end to end; the curve with the smallest tag says which way is forward;
+/// * `NAME=NxT`: size N across and T along the curve. Isotropic fields need N = T.
+///
+/// Later items win over earlier ones.
+class Size_specification {
+public:
+  Size_specification() = default;
+
+  /// Adds one item. \throws Invalid_argument_error if `text` is in none of the forms above or a size is not a positive
+  /// finite number.
+  void add(const std::string& text);
+
+  bool empty() const { return m_items.empty(); }
+
+  /// Sizes for every curve of `domain`.
+  ///
+  /// Curves that no item names take the sizes that the file gives at their points (linear in arc length); where there
+  /// are none, they are left free if any item was given, and otherwise get the bounding box's diagonal / 40.
+  /// \throws Invalid_argument_error if a name does not exist in `domain` (listing those that do), if A and B differ on
+  /// a closed or branching curve, or if N and T differ.
+  Domain_sizes apply(const Planar_domain& domain) const;
+
+private:
+  struct Item {
+    std::string text, name; ///< name is empty for every curve
+    double first = 0, last = 0;
+  };
+  std::vector<Item> m_items;
+};
+
+} // namespace Quadrille
+
+#include <Quadrille/Mesh_io/internal/Size_specification_impl.h>
+
+#endif

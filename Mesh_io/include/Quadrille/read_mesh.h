@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_READ_MESH_H
+#define QUADRILLE_READ_MESH_H
+
+#include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/Mesh_io/internal/read_labelled_mesh.h>
+
+#include <string>
+
+namespace Quadrille {
+
+/// Reads the polygons, lines and labels of a mesh file, `.msh .vtk .obj .off .ply .stl`, as they are: nothing is
+/// checked but the file itself. `isolate` and `time_limit_seconds` as in `Planar_domain_options`.
+///
+/// \throws Invalid_input_error naming the file, the place in it and the reason.
+inline Labelled_mesh read_mesh(const std::string& path, bool isolate = true, double time_limit_seconds = 120)
+{
+  return internal::read_labelled_mesh(path, isolate, time_limit_seconds);
+}
+
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_QUAD_CHECKS_H
+#define QUADRILLE_QUAD_EXTRACTION_INTERNAL_QUAD_CHECKS_H
+
+#include <Quadrille/Quad_extraction/internal/Indexed_quads.h>
+#include <Quadrille/Quad_extraction/internal/Seamless_map.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace Quadrille {
+namespace internal::extraction {
+
+/// Are all four corners strictly convex and counterclockwise? Exact.
+inline bool is_convex(const std::vector<Eigen::Vector2d>& points, const std::array<int, 4>& quad)
+{
+  for (int i = 0; i < 4; ++i) {
+    const auto corner = [&](int k) -> Uv {
+      const Eigen::Vector2d& p = at(points, at(quad, (i + k) % 4));
+      return {p.x(), p.y()};
+    };
+    if (orientation_sign(corner(0), corner(1), corner(3)) <= 0)
+      return false;
+  }
+  return true;
+}
+
+/// What every extracted mesh must satisfy, checked in release builds too. \throws No_result_error("mesh", ...).
+class Quad_checks {
+public:
+  explicit Quad_checks(const Indexed_quads& quads) : m_quads(quads) {}
+
+  void check_topology() const
+  {
+    const std::size_t n = m_quads.points.size();
+    std::unordered_map<std::uint64_t, int> quad_of_edge;
+    const auto key = [n](int a, int b) { return std::uint64_t(a) * n + std::uint64_t(b); };
+    std::vector<int> valence(n, 0);
+    for (int q = 0; q < size_of(m_quads.quads); ++q) {
+      const auto& quad = at(m_quads.quads, q);
+      for (std::size_t i = 0; i < 4; ++i) {
+        ++at(valence, quad[i]);
+        if (quad[i] == quad[(i + 1) % 4] || quad[i] == quad[(i + 2) % 4])
+          fail(q, "uses a vertex twice");
+        if (!quad_of_edge.emplace(key(quad[i], quad[(i + 1) % 4]), q).second)
+          fail(q, "shares an edge with two other quads");
+      }
+    }
+    std::size_t border_edges = 0;
+    for (const auto& edge : quad_of_edge) {
+      const int a = static_cast<int>(edge.first / n);
+      const int b = static_cast<int>(edge.first % n);
+      border_edges += quad_of_edge.count(key(b, a)) ? 0 : 1;
+    }
+    for (const Indexed_quads::Curve_edge& edge : m_quads.curve_edges) {
+      const bool left = quad_of_edge.count(key(edge.source, edge.target)) > 0;
+      const bool right = quad_of_edge.count(key(edge.target, edge.source)) > 0;
+      if (!left || right == edge.border)
+        throw No_result_error("mesh", "an edge on curve " + std::to_string(edge.curve) + " is lost");
+      border_edges -= edge.border ? 1 : 0;
+    }
+    if (border_edges != 0)
+      throw No_result_error("mesh", "the mesh has border edges that do not lie on the domain's border");
+    for (int v = 0; v < size_of(m_quads.vertices); ++v)
+      if (at(valence, v) != at(m_quads.vertices, v).quadrants)
+        throw No_result_error("mesh", "vertex " + std::to_string(v) + " has " + std::to_string(at(valence, v)) +
+                                          " quads where the map has " +
+                                          std::to_string(at(m_quads.vertices, v).quadrants) + " right angles");
+  }
+
+  void check_geometry() const
+  {
+    for (int q = 0; q < size_of(m_quads.quads); ++q)
+      if (!is_convex(m_quads.points, at(m_quads.quads, q)))
+        fail(q, "has a corner that is not strictly convex");
+  }
+
+  /// Valence -> number of interior vertices other than 4.
+  std::map<int, int> irregular_vertices() const
+  {
+    std::map<int, int> count;
+    for (const Indexed_quads::Vertex& vertex : m_quads.vertices)
+      if (!vertex.border && vertex.quadrants != 4)
+        ++count[vertex.quadrants];
+    return count;
+  }
+
+private:
+  [[noreturn]] void fail(int q, const std::string& what) const
+  {
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();
+    for (const int v : at(m_quads.quads, q))
+      center += 0.25 * at(m_quads.points, v);
+    throw No_result_error("mesh", "quad " + std::to_string(q) + " near (" + std::to_string(center.x()) + ", " +
+                                      std::to_string(center.y()) + ") " + what);
+  }
+
+  const Indexed_quads& m_quads;
+};
+
+} // namespace internal::extraction
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_SEPARATRICES_H
+#define QUADRILLE_QUAD_EXTRACTION_INTERNAL_SEPARATRICES_H
+
+#include <Quadrille/Quad_extraction/internal/Isoline_tracer.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace Quadrille {
+namespace internal::extraction {
+
+/// All separatrices of a map, run to their natural ends: one through every port of every layout vertex.
+///
+/// A trace that arrives at a layout vertex uses up the port it arrives through, so no isoline is traced twice. A border
+/// or feature loop that has no layout vertex and meets no trace gets a seed, so that every loop carries a node.
+class Separatrices {
+public:
+  /// `kept`: as for `Layout_vertices`. `max_steps`: as for `Isoline_tracer`.
+  Separatrices(const Seamless_map& map, const std::vector<char>& kept, std::size_t max_steps)
+      : m_map(&map), m_vertices(map, kept), m_tracer(map, max_steps), m_hit(std::size_t(map.mesh().number_of_halfedges()), 0)
+  {
+    find_loops();
+    trace_ports(0);
+    for (const std::vector<int>& loop : m_loops)
+      if (std::none_of(loop.begin(), loop.end(), [this](int h) { return at(m_hit, h) != 0; })) {
+        int seed = m_map->mesh().source(loop.front());
+        for (const int h : loop)
+          seed = std::min(seed, m_map->mesh().source(h));
+        m_vertices.add_seed(seed);
+        trace_ports(m_vertices.size() - 1);
+      }
+  }
+
+  const Layout_vertices& vertices() const { return m_vertices; }
+  const std::vector<Trace>& traces() const { return m_traces; }
+  /// Border and feature loops without a critical vertex, as halfedges in order.
+  const std::vector<std::vector<int>>& loops() const { return m_loops; }
+
+private:
+  void find_loops()
+  {
+    const Indexed_triangulation& mesh = m_map->mesh();
+    std::vector<char> visited(m_hit.size(), 0);
+    const auto visit = [&](int h) {
+      at(visited, h) = 1;
+      if (!mesh.is_boundary(h))
+        at(visited, mesh.opposite(h)) = 1;
+    };
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (m_map->is_constrained(h) && !at(visited, h) && m_vertices.index(mesh.source(h)) >= 0) {
+        int on_curve = h;
+        visit(on_curve);
+        while (m_vertices.index(mesh.target(on_curve)) < 0) {
+          on_curve = m_vertices.next_on_curve(on_curve);
+          visit(on_curve);
+        }
+      }
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (m_map->is_constrained(h) && !at(visited, h)) {
+        std::vector<int> loop;
+        for (int on_curve = h; !at(visited, on_curve); on_curve = m_vertices.next_on_curve(on_curve)) {
+          visit(on_curve);
+          loop.push_back(on_curve);
+        }
+        m_loops.push_back(std::move(loop));
+      }
+  }
+
+  void trace_ports(int first_vertex)
+  {
+    m_used.resize(std::size_t(m_vertices.size()));
+    for (int v = first_vertex; v < m_vertices.size(); ++v)
+      at(m_used, v).assign(std::size_t(m_vertices[v].quadrants) + 1, 0);
+    for (int v = first_vertex; v < m_vertices.size(); ++v)
+      for (const Layout_vertices::Port& port : m_vertices[v].ports)
+        if (!at(at(m_used, v), port.slot)) {
+          Trace trace = m_tracer(m_vertices, v, port);
+          use(trace.source, trace.source_slot);
+          if (trace.target >= 0)
+            use(trace.target, trace.target_slot);
+          for (const Isoline_step& step : trace.steps)
+            if (step.exit >= 0 && m_map->is_constrained(step.exit)) {
+              at(m_hit, step.exit) = 1;
+              if (!m_map->mesh().is_boundary(step.exit))
+                at(m_hit, m_map->mesh().opposite(step.exit)) = 1;
+            }
+          m_traces.push_back(std::move(trace));
+        }
+  }
+
+  void use(int vertex, int slot)
+  {
+    char& used = at(at(m_used, vertex), slot);
+    if (used)
+      throw No_result_error("layout", "two separatrices run through one direction of vertex " +
+                                          std::to_string(m_vertices[vertex].vertex));
+    used = 1;
+  }
+
+  const Seamless_map* m_map;
+  Layout_vertices m_vertices;
+  Isoline_tracer m_tracer;
+  std::vector<Trace> m_traces;
+  std::vector<std::vector<char>> m_used;
+  std::vector<char> m_hit;
+  std::vector<std::vector<int>> m_loops;
+};
+
+} // namespace internal::extraction
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_QUAD_EXTRACTION_OPTIONS_H
+#define QUADRILLE_QUAD_EXTRACTION_OPTIONS_H
+
+#include <Quadrille/Progress_observer.h>
+#include <Quadrille/Quad_layout.h>
+#include <Quadrille/Quad_smoothing_options.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace Quadrille {
+
+struct Quad_extraction_options {
+  bool smooth = true;               ///< false: leave the quads where the map puts them; they may be inverted
+  int min_loop_edges = 4;           ///< least number of edges on every border loop and closed feature
+  double kink_degrees = 50;         ///< vertices where a curve turns by more than this become vertices of the quads
+  std::size_t max_quads = 20000000; ///< more are refused
+  std::size_t max_trace_steps = 0;  ///< triangles that a separatrix may cross; 0: 4 times their number + 1000
+  int max_refinements = 3;          ///< times that strips with inverted quads get one more quad before giving up
+  int threads = 1;                  ///< 0: all cores; the result does not depend on it
+  Quad_smoothing_options smoothing; ///< its threads and observer are replaced by those here
+  const Progress_observer* observer = nullptr; ///< stages "layout", "quantization", "mesh"
+};
+
+/// What an extraction made. Vertices and quads are numbered in the order in which they were added to the quad mesh;
+/// `input_vertex` counts the triangulation's vertices in the order of `vertices(mesh)`.
+struct Quad_extraction_result {
+  struct Vertex_origin {
+    int input_vertex; ///< of the triangulation: a corner, an end or a junction of curves; or -1
+    int curve;        ///< that the vertex lies on (not its ends: those are input vertices), or -1
+  };
+  struct Curve_edge {
+    int source; ///< vertices, in the curve's direction; border edges have the domain on their left
+    int target;
+    int curve;
+    bool border; ///< false: on a feature inside the domain
+  };
+
+  std::vector<Vertex_origin> vertices;
+  std::vector<Curve_edge> curve_edges; ///< every edge on the border or on a feature, once
+  std::vector<int> quad_regions;
+
+  std::map<int, int> irregular_vertices; ///< valence -> number, interior vertices of valence other than 4
+
+  Quad_layout layout;
+  std::vector<std::vector<std::array<double, 2>>> arc_polylines; ///< by arc of the layout
+  std::vector<int> strip_length;                                 ///< integer lengths of the layout's strips
+  int refinements = 0;                                           ///< see `max_refinements`
+  int collapsed_strips = 0;                                      ///< strips of length 0
+  double area_change_relative = 0; ///< (sum of the patches' integer areas) / (sum of their map areas) - 1
+
+  Quad_smoothing_report smoothing;
+  double layout_seconds = 0;
+  double quantization_seconds = 0;
+  double mesh_seconds = 0; ///< grids, smoothing and checks
+};
+
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_QUAD_EXTRACTION_H
+#define QUADRILLE_QUAD_EXTRACTION_H
+
+#include <Quadrille/Greedy_quantizer.h>
+#include <Quadrille/Quad_extraction_options.h>
+#include <Quadrille/exceptions.h>
+
+namespace Quadrille {
+
+/// Default model of `CurveProjector`: curves are the polylines of the triangulation's edges.
+struct No_curve_projector {
+  template <class Point> Point operator()(int /*curve*/, const Point& p) const { return p; }
+};
+
+/// Extracts a conforming quad mesh from an exactly seamless map of a planar triangulation, one quad per unit square.
+///
+/// Separatrices of the map are traced without rounding and cut the domain into quadrilateral patches; `quantizer` gives
+/// the strips of patches integer lengths; strips of length 0 are collapsed, the others filled with grids, which are
+/// smoothed towards the shapes that the map prescribes. Method: Couplet, Chemin and Remacle, "Integrable frame fields
+/// using odeco tensors", Section 7.2; smoothing: Garanzha et al., "Foldover-free maps in 50 lines of code".
+///
+/// The quad mesh has the topology of the domain; its interior irregular vertices are the singularities of the map with
+/// their valences; all its corners are strictly convex; its border edges lie on the domain's border and the feature
+/// curves of the domain are chains of its edges (vertices on the curves, corners on corners).
+///
+/// \param mesh model of `FaceListGraph`, all faces triangles, a manifold with border.
+/// \param points readable, vertex -> planar point with double coordinates (`x()`, `y()`).
+/// \param corner_uv readable, halfedge h -> map coordinates (`x()`, `y()`) of the corner at `target(h)` in `face(h)`:
+///        concept `SeamlessCornerMap`. All coordinates are multiples of a power of two that leaves some bits free.
+/// \param edge_curves readable, edge -> int: the curve that the edge lies on, -1 for none. Border edges lie on one;
+///        edges between different regions and other edges to be kept do as well. u or v is constant along each.
+/// \param face_regions readable, face -> int: copied to the quads.
+/// \param[out] quads model of `MutableFaceGraph` with an internal vertex point map; the quads are added to it.
+/// \param quantizer model of `Quantizer`.
+/// \param project model of `CurveProjector`: `Point project(int curve, Point p)` takes a point of the polyline to the
+///        true curve.
+///
+/// \throws Invalid_input_error if the map is not exactly seamless, or not aligned with a curve (naming the halfedge:
+///         halfedge 3 f + i leaves corner i of the f-th face), or an edge lacks a curve.
+/// \throws No_result_error "map" for a flipped triangle, "layout" for a separatrix that does not end, "quantization" if
+///         the mesh would be too large, "mesh" if the quads cannot be made valid; nothing is added to `quads` then.
+///
+/// Complexity: tracing is linear in the number of triangles that the separatrices cross, the rest about linear in the
+/// number of patches and quads, times the cost of the sparse factorisations (practically n log n).
+template <class TriangleMesh, class VertexPointMap, class CornerUvMap, class EdgeCurveMap, class FaceRegionMap,
+          class QuadMesh, class Quantizer = Greedy_quantizer, class CurveProjector = No_curve_projector>
+Quad_extraction_result extract_quads(const TriangleMesh& mesh, VertexPointMap points, CornerUvMap corner_uv,
+                                     EdgeCurveMap edge_curves, FaceRegionMap face_regions, QuadMesh& quads,
+                                     const Quad_extraction_options& options = {}, const Quantizer& quantizer = {},
+                                     const CurveProjector& project = {});
+
+} // namespace Quadrille
+
+#include <Quadrille/Quad_extraction/internal/extract_quads_impl.h>
+
+#endif

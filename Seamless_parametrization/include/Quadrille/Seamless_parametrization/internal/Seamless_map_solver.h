@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_SEAMLESS_MAP_SOLVER_H
+#define QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_SEAMLESS_MAP_SOLVER_H
+
+#include <Quadrille/Cholesky_solver.h>
+#include <Quadrille/Seamless_parametrization/internal/Cut_graph.h>
+#include <Quadrille/Seamless_parametrization/internal/Frame_topology.h>
+#include <Quadrille/Seamless_parametrization/internal/Reduced_elements.h>
+#include <Quadrille/Seamless_parametrization/internal/Seamless_constraints.h>
+#include <Quadrille/Seamless_parametrization/internal/Tangent_geometry.h>
+#include <Quadrille/Seamless_parametrization/internal/exact_map.h>
+#include <Quadrille/Seamless_parametrization/internal/repair_quadrants.h>
+#include <Quadrille/Seamless_parametrization/internal/untangle_map.h>
+#include <Quadrille/Seamless_parametrization_options.h>
+#include <Quadrille/Support/internal/Indexed_triangulation.h>
+#include <Quadrille/exceptions.h>
+
+#include <Eigen/Core>
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Quadrille {
+namespace internal {
+
+/// A seamless map and all that was found on the way.
+struct Seamless_map_data {
+  std::vector<Eigen::Vector2d> uv; ///< by corner, in the combed coordinates of its face
+  std::vector<int> matching;       ///< by halfedge, combed: (u,v) of the other side = R^k (u,v) + T
+  Frame_topology topology;         ///< matchings and alignments of the given frames, before combing
+  Cut_graph cut;
+  std::vector<int> flipped_faces;
+  std::vector<int> flat_faces;         ///< of the flipped ones: all corners on one line because of the constraints
+  std::vector<int> misturned_vertices; ///< only looked for when nothing is flipped
+  int flipped_before_untangling = 0;
+  int untangling_rounds = 0;
+  double integration_residual = 0.0;
+  double integration_error = 0.0;
+  double seam_residual_max = 0.0;
+  double seconds = 0.0;
+};
+
+/// Computes seamless maps of one surface for any number of frame fields. Constant: several threads may share one.
+/// `Solver` is a model of `SparseCholeskySolver`.
+template <class Solver = Cholesky_solver> class Seamless_map_solver {
+public:
+  /// `constrained`: by halfedge, equal on both sides of an edge; boundary edges are constrained anyway.
+  /// \pre `mesh` outlives the solver. \throws Invalid_input_error if the mesh has no face.
+  Seamless_map_solver(const Indexed_triangulation& mesh, Tangent_geometry geometry, std::vector<char> constrained)
+      : m_mesh(mesh), m_geometry(std::move(geometry)), m_constrained(std::move(constrained))
+  {
+    if (mesh.number_of_faces() == 0)
+      throw Invalid_input_error("the mesh has no triangle");
+    m_constrained.resize(std::size_t(mesh.number_of_halfedges()), 0);
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (mesh.is_boundary(h))
+        m_constrained[std::size_t(h)] = 1;
+  }
+
+  const Tangent_geometry& geometry() const { return m_geometry; }
+
+  /// Matchings, alignments and quadrants of the frames, repaired where `options` allow it.
+  /// \throws No_result_error if a sector has no quadrant.
+  Frame_topology topology(const std::vector<Gradient_pair>& gradients,
+                          const Seamless_parametrization_options& options = {}) const
+  {
+    Frame_topology topology = Frame_topology_builder(m_mesh, m_geometry, m_constrained, gradients)();
+    std::vector<int> missing;
+    if (options.repair_corners)
+      missing = Quadrant_repair(m_mesh, topology)();
+    else
+      for (std::size_t s = 0; s < topology.sectors.size(); ++s)
+        if (topology.sectors[s].quadrants < 1)
+          missing.push_back(int(s));
+    if (!missing.empty()) {
+      const Frame_topology::Sector& sector = topology.sectors[std::size_t(missing.front())];
+      throw No_result_error("map", "the frames turn by " + std::to_string(sector.quadrants) +
+                                       " quarters in a corner of vertex " + std::to_string(sector.vertex) +
+                                       ", where a quadrilateral needs at least one (" + std::to_string(missing.size()) +
+                                       " such corners in all)");
+    }
+    return topology;
+  }
+
+  /// Complexity: near-linear but for the Cholesky factorisation, O(n^1.5).
+  /// \throws No_result_error if there is no map with these frames; flipped faces do not count as that.
+  Seamless_map_data operator()(const std::vector<Gradient_pair>& gradients,
+                               const Seamless_parametrization_options& options = {}) const
+  {
+    const auto start = std::chrono::steady_clock::now();
+    Seamless_map_data map;
+    map.topology = topology(gradients, options);
+    map.cut = Cut_graph_builder(m_mesh, m_geometry, map.topology)();
+    const Seamless_space space = Seamless_constraints(m_mesh, map.topology, map.cut)();
+    std::vector<Gradient_pair> combed;
+    for (std::size_t f = 0; f < gradients.size(); ++f)
+      combed.push_back(rotate_quarters(gradients[f], map.cut.face_rotation[f]));
+
+    Reduced_elements elements(space);
+    Solver solver;
+    Eigen::VectorXd y = integrate(combed, elements, solver);
+    map.uv = round_to_exact_map(space, y);
+    map.flipped_faces = flipped_faces(map.uv);
+    map.flipped_before_untangling = int(map.flipped_faces.size());
+    find_flat_faces(space, map);
+    if (options.untangle && map.flipped_faces.size() > map.flat_faces.size())
+      untangle_map(combed, options, space, elements, solver, y, map);
+    verify(map);
+    measure(combed, map);
+    map.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return map;
+  }
+
+private:
+  /// Minimises (36) over the free parameters: area-weighted, exact for piecewise linear coordinates.
+  Eigen::VectorXd integrate(const std::vector<Gradient_pair>& combed, Reduced_elements& elements, Solver& solver) const
+  {
+    elements.set_zero();
+    for (int f = 0; f < m_mesh.number_of_faces(); ++f) {
+      const double area = m_geometry.area(f);
+      const Gradient_pair& target = combed[std::size_t(f)];
+      Corner_vector load;
+      Corner_matrix stiffness = Corner_matrix::Zero();
+      for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector2d gradient = m_geometry.hat_gradient(3 * f + i);
+        load.segment<2>(2 * i) << area * gradient.dot(target.first), area * gradient.dot(target.second);
+        for (int j = 0; j <= i; ++j) {
+          const double entry = area * gradient.dot(m_geometry.hat_gradient(3 * f + j));
+          for (int c = 0; c < 2; ++c)
+            stiffness(2 * i + c, 2 * j + c) = stiffness(2 * j + c, 2 * i + c) = entry;
+        }
+      }
+      elements.add(std::size_t(f), load, stiffness);
+    }
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(elements.number_of_parameters());
+    if (y.size() == 0)
+      return y;
+    solver.analyze(elements.matrix());
+    if (!solver.factorize(elements.matrix()))
+      throw No_result_error("map", "the integration of the frame field is singular; the triangulation has triangles "
+                                   "that are degenerate in double precision");
+    solver.solve(elements.gradient(), y);
+    return y;
+  }
+
+  /// Faces whose corners share one coordinate in every map that satisfies the constraints.
+  void find_flat_faces(const Seamless_space& space, Seamless_map_data& map) const
+  {
+    const auto same = [&](int row, int other) {
+      return std::equal(
+          space.begin(row), space.end(row), space.begin(other), space.end(other),
+          [](const auto& a, const auto& b) { return a.parameter == b.parameter && a.coefficient == b.coefficient; });
+    };
+    for (const int f : map.flipped_faces) {
+      const int* copy = space.copy_of_corner.data() + 3 * f;
+      for (int c = 0; c < 2; ++c)
+        if (same(2 * copy[0] + c, 2 * copy[1] + c) && same(2 * copy[0] + c, 2 * copy[2] + c)) {
+          map.flat_faces.push_back(f);
+          break;
+        }
+    }
+  }
+
+  void untangle_map(const std::vector<Gradient_pair>& combed, const Seamless_parametrization_options& options,
+                    const Seamless_space& space, Reduced_elements& elements, Solver& solver, Eigen::VectorXd& y,
+                    Seamless_map_data& map) const
+  {
+    std::vector<double> weights; // the triangles' areas in the parameter plane, relative to all
+    double total = 0.0;
+    for (std::size_t f = 0; f < combed.size(); ++f) {
+      weights.push_back(m_geometry.area(int(f)) * cross(combed[f].first, combed[f].second));
+      total += weights.back();
+    }
+    for (double& weight : weights)
+      weight /= total;
+    for (const int f : map.flat_faces)
+      weights[std::size_t(f)] = 0.0;
+    Untangling_problem problem(m_geometry, combed, std::move(weights), elements, options.threads);
+    const auto is_better = [&](const Eigen::VectorXd& candidate) {
+      std::vector<Eigen::Vector2d> uv = round_to_exact_map(space, candidate);
+      std::vector<int> flipped = flipped_faces(uv);
+      if (flipped.size() <= map.flipped_faces.size()) {
+        map.uv = std::move(uv);
+        map.flipped_faces = std::move(flipped);
+      }
+      return map.flipped_faces.size() <= map.flat_faces.size();
+    };
+    map.untangling_rounds = untangle(problem, y, options.max_untangling_rounds, solver, is_better);
+  }
+
+  void verify(Seamless_map_data& map) const
+  {
+    map.seam_residual_max = seam_residual(m_mesh, map.cut, map.uv);
+    const double misaligned = alignment_residual(m_mesh, map.topology, map.cut, map.uv);
+    if (map.seam_residual_max != 0.0 || misaligned != 0.0)
+      throw No_result_error("map", "rounding left the seams open by " + std::to_string(map.seam_residual_max) +
+                                       " and the constrained edges unaligned by " + std::to_string(misaligned));
+    if (map.flipped_faces.empty())
+      map.misturned_vertices = misturned_vertices(m_mesh, map.topology, map.uv);
+    map.matching.assign(std::size_t(m_mesh.number_of_halfedges()), 0);
+    for (std::size_t p = 0; p < map.cut.paths.size(); ++p)
+      for (const int h : map.cut.paths[p].halfedges) {
+        map.matching[std::size_t(h)] = map.cut.paths[p].matching;
+        map.matching[std::size_t(m_mesh.opposite(h))] = -map.cut.paths[p].matching & 3;
+      }
+  }
+
+  void measure(const std::vector<Gradient_pair>& combed, Seamless_map_data& map) const
+  {
+    double total_area = 0.0;
+    for (int f = 0; f < m_mesh.number_of_faces(); ++f) {
+      Eigen::Vector2d du = -combed[std::size_t(f)].first;
+      Eigen::Vector2d dv = -combed[std::size_t(f)].second;
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        const Eigen::Vector2d gradient = m_geometry.hat_gradient(h);
+        du += map.uv[std::size_t(h)].x() * gradient;
+        dv += map.uv[std::size_t(h)].y() * gradient;
+      }
+      const double area = m_geometry.area(f);
+      total_area += area;
+      map.integration_residual += area * (du.squaredNorm() + dv.squaredNorm());
+      map.integration_error += area * (du.squaredNorm() / combed[std::size_t(f)].first.squaredNorm() +
+                                       dv.squaredNorm() / combed[std::size_t(f)].second.squaredNorm());
+    }
+    map.integration_error /= 3.0 * total_area;
+  }
+
+  const Indexed_triangulation& m_mesh;
+  Tangent_geometry m_geometry;
+  std::vector<char> m_constrained;
+};
+
+} // namespace internal
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,66 @@
+# What our own executables (program, tests, examples, benchmarks) share. Nothing here reaches the exported targets.
+
+if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND PROJECT_IS_TOP_LEVEL)
+  find_program(QUADRILLE_CCACHE ccache)
+  mark_as_advanced(QUADRILLE_CCACHE)
+  if(QUADRILLE_CCACHE)
+    # Without these a compilation that uses a precompiled header is never found in the cache.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${QUADRILLE_CCACHE})
+    add_compile_options("$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+  endif()
+endif()
+
+add_library(quadrille_warnings INTERFACE)
+target_compile_options(quadrille_warnings INTERFACE
+  $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra -Wpedantic -Wconversion -Werror>
+  $<$<CXX_COMPILER_ID:MSVC>:/W4>)
+
+add_library(quadrille_executable INTERFACE)
+target_link_libraries(quadrille_executable INTERFACE quadrille_warnings)
+foreach(package IN LISTS QUADRILLE_PACKAGES)
+  target_link_libraries(quadrille_executable INTERFACE Quadrille::${package})
+endforeach()
+# An executable loads only the libraries that it calls: libgmsh alone takes longer to load than most tests run.
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+  target_link_options(quadrille_executable INTERFACE LINKER:--as-needed)
+endif()
+
+# The expensive headers, parsed once for all executables that do not test and once for those that do.
+function(quadrille_add_precompiled_header name)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "// Holds the precompiled header that other targets reuse.\n")
+  add_library(${name} OBJECT EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(${name} PRIVATE quadrille_executable ${ARGN})
+  target_precompile_headers(${name} PRIVATE
+    <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+    <CGAL/Simple_cartesian.h>
+    <CGAL/Surface_mesh.h>
+    <Eigen/Core>
+    <Eigen/Dense>
+    <Eigen/Sparse>
+    <algorithm>
+    <map>
+    <string>
+    <vector>)
+endfunction()
+
+quadrille_add_precompiled_header(quadrille_precompiled)
+
+# quadrille_add_executable(<name> SOURCES <file>... [LIBRARIES <target>...] [PRECOMPILED <target>])
+#
+# An executable of ours with all packages at hand, warnings as errors, and the folders of data as compile definitions.
+function(quadrille_add_executable name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PRECOMPILED" "SOURCES;LIBRARIES")
+  if(NOT arg_PRECOMPILED)
+    set(arg_PRECOMPILED quadrille_precompiled)
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE quadrille_executable ${arg_LIBRARIES})
+  target_precompile_headers(${name} REUSE_FROM ${arg_PRECOMPILED})
+  target_compile_definitions(${name} PRIVATE
+    QUADRILLE_VERSION="${PROJECT_VERSION}"
+    QUADRILLE_EXAMPLE_DATA="${PROJECT_SOURCE_DIR}/examples/data"
+    QUADRILLE_TEST_DATA="${PROJECT_SOURCE_DIR}/test/data"
+    QUADRILLE_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data")
+endfunction()

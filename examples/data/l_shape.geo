@@ -1,0 +1,19 @@
+// An L with legs 10 wide and element size 1: the mesh is a regular grid with 300 squares.
+Point(1) = {0, 0, 0, 1};
+Point(2) = {20, 0, 0, 1};
+Point(3) = {20, 10, 0, 1};
+Point(4) = {10, 10, 0, 1};
+Point(5) = {10, 20, 0, 1};
+Point(6) = {0, 20, 0, 1};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 6};
+Line(6) = {6, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6};
+Plane Surface(1) = {1};
+Physical Curve("fixed") = {5};
+Physical Curve("loaded") = {2};
+Physical Curve("free") = {1, 3, 4, 6};
+Physical Surface("bracket") = {1};

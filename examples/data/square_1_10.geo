@@ -1,0 +1,16 @@
+// A square of side 80 with element size 1 along the bottom and 10 along the top, linear on the sides.
+Point(1) = {0, 0, 0, 1};
+Point(2) = {80, 0, 0, 1};
+Point(3) = {80, 80, 0, 10};
+Point(4) = {0, 80, 0, 10};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Physical Curve("bottom") = {1};
+Physical Curve("right") = {2};
+Physical Curve("top") = {3};
+Physical Curve("left") = {4};
+Physical Surface("square") = {1};

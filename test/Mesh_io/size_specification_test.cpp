@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <Quadrille/Size_specification.h>
+#include <Quadrille/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace Quadrille;
+
+namespace {
+
+/// A strip of n x 1 unit squares in triangles: bottom in two curves (1, 2), right 3, top 4, left unlabelled.
+Planar_domain strip(int n)
+{
+  Labelled_mesh mesh;
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i <= n; ++i)
+      mesh.points.push_back({double(i), double(j), 0});
+  for (int i = 0; i < n; ++i) {
+    mesh.polygons.push_back({i, i + 1, n + 2 + i});
+    mesh.polygons.push_back({i, n + 2 + i, n + 1 + i});
+    mesh.lines.push_back({i, i + 1});
+    mesh.line_curve.push_back(i < n / 2 ? 0 : 1);
+    mesh.lines.push_back({n + 2 + i, n + 1 + i});
+    mesh.line_curve.push_back(3);
+  }
+  mesh.lines.push_back({n, 2 * n + 1});
+  mesh.line_curve.push_back(2);
+  mesh.curves = {{1, {"bottom"}}, {2, {"bottom"}}, {3, {"right"}}, {4, {"top"}}};
+  return make_planar_domain(mesh, "strip");
+}
+
+std::array<double, 2> sizes_at(const Planar_domain& domain, const Domain_sizes& sizes, double x, double y)
+{
+  for (const Planar_domain::Curve& curve : domain.curves)
+    for (const auto h : curve.path) {
+      const auto& p = domain.mesh.point(domain.mesh.source(h));
+      const auto& q = domain.mesh.point(domain.mesh.target(h));
+      if (std::abs(0.5 * (p.x() + q.x()) - x) + std::abs(0.5 * (p.y() + q.y()) - y) > 1e-9)
+        continue;
+      const auto e = domain.mesh.edge(h);
+      std::array<double, 2> size = sizes.of_edge[e.idx()];
+      if (domain.mesh.halfedge(e) != h)
+        std::swap(size[0], size[1]);
+      return size;
+    }
+  return {-1, -1};
+}
+
+Domain_sizes apply(const Planar_domain& domain, const std::vector<std::string>& items)
+{
+  Size_specification specification;
+  for (const std::string& item : items)
+    specification.add(item);
+  return specification.apply(domain);
+}
+
+using Pair = std::array<double, 2>;
+
+TEST(Size_specification, constant_and_named_sizes)
+{
+  const Planar_domain domain = strip(4);
+  const Domain_sizes sizes = apply(domain, {"2", "top=0.5", "3=1x1"});
+  EXPECT_EQ(sizes_at(domain, sizes, 0.5, 0), (Pair{2, 2}));
+  EXPECT_EQ(sizes_at(domain, sizes, 0.5, 1), (Pair{0.5, 0.5}));
+  EXPECT_EQ(sizes_at(domain, sizes, 4, 0.5), (Pair{1, 1}));
+  EXPECT_EQ(sizes_at(domain, sizes, 0, 0.5), (Pair{2, 2}));
+  const Domain_sizes last_wins = apply(domain, {"top=3", "4=5"});
+  EXPECT_EQ(sizes_at(domain, last_wins, 0.5, 1), (Pair{5, 5}));
+  EXPECT_EQ(sizes_at(domain, last_wins, 0.5, 0), (Pair{0, 0})); // free
+}
+
+TEST(Size_specification, linear_sizes_run_along_the_joined_curves)
+{
+  const Planar_domain domain = strip(4);
+  const Domain_sizes sizes = apply(domain, {"bottom=1:3"});
+  for (int i = 0; i < 4; ++i) {
+    const Pair size = sizes_at(domain, sizes, i + 0.5, 0);
+    EXPECT_DOUBLE_EQ(size[0], 1 + 0.5 * i);
+    EXPECT_DOUBLE_EQ(size[1], 1.5 + 0.5 * i);
+  }
+  // The top runs from right to left.
+  EXPECT_EQ(sizes_at(domain, apply(domain, {"top=1:5"}), 3.5, 1), (Pair{1, 2}));
+}
+
+TEST(Size_specification, defaults)
+{
+  Planar_domain domain = strip(4);
+  const Domain_sizes by_box = apply(domain, {});
+  EXPECT_DOUBLE_EQ(sizes_at(domain, by_box, 0.5, 0)[0], std::sqrt(17.0) / 40);
+  EXPECT_EQ(by_box.notes.size(), 1u);
+  for (const auto v : domain.mesh.vertices())
+    domain.point_size[v.idx()] = 1 + domain.mesh.point(v).x();
+  const Domain_sizes by_points = apply(domain, {"top=7"});
+  EXPECT_EQ(sizes_at(domain, by_points, 1.5, 0), (Pair{2, 3}));
+  EXPECT_EQ(sizes_at(domain, by_points, 1.5, 1), (Pair{7, 7}));
+}
+
+TEST(Size_specification, unusable_items)
+{
+  const Planar_domain domain = strip(4);
+  for (const char* item : {"0", "-1", "nan", "inf", "", "abc", "top=", "=3", "top=1:", "top=1:0", "top=1x", "1:2", "1x2",
+                           "top=1x2", "top=1:2:3", "1e400", "0x10"})
+    EXPECT_THROW(apply(domain, {item}), Invalid_argument_error) << item;
+  try {
+    apply(domain, {"lid=1"});
+    FAIL();
+  } catch (const Invalid_argument_error& error) {
+    const std::string message = error.what();
+    for (const char* word : {"lid", "strip", "bottom", "right", "top", "4"})
+      EXPECT_NE(message.find(word), std::string::npos) << message;
+  }
+  Labelled_mesh triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.polygons = {{0, 1, 2}};
+  triangle.lines = {{0, 1}, {1, 2}, {2, 0}};
+  triangle.line_curve = {0, 0, 0};
+  triangle.curves = {{1, {"loop"}}};
+  const Planar_domain closed = make_planar_domain(triangle, "triangle");
+  EXPECT_THROW(apply(closed, {"loop=1:2"}), Invalid_argument_error);
+  EXPECT_NO_THROW(apply(closed, {"loop=2:2"}));
+}
+
+} // namespace

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_TOOLS_QUAD_PIPELINE_H
+#define QUADRILLE_TOOLS_QUAD_PIPELINE_H
+
+#include <Quadrille/Planar_domain.h>
+#include <Quadrille/odeco_frame_field.h>
+#include <Quadrille/quad_extraction.h>
+#include <Quadrille/seamless_parametrization.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Quadrille {
+
+struct Quad_pipeline_options {
+  Odeco_field_options field; ///< its threads are used for the whole pipeline
+  Seamless_parametrization_options map;
+  Quad_extraction_options extraction;
+  const Progress_observer* observer = nullptr;
+};
+
+/// What each stage of a run made; a stage that was not reached is empty.
+struct Quad_pipeline_result {
+  using Mesh = Planar_domain::Mesh;
+
+  std::optional<Odeco_field_result> field;
+  std::vector<Gradient_pair> gradients; ///< per face
+  /// Integration error of the smooth field's map, the reference for the chosen one; negative if it has no map.
+  double smooth_integration_error = -1;
+
+  std::optional<Seamless_map<Mesh>> map;
+  std::vector<Planar_domain::Point_2> corner_uv; ///< per halfedge: of the corner at its target
+
+  std::optional<Quad_extraction_result> extraction;
+  Mesh quads;
+
+  /// Why candidates with better maps were passed over.
+  std::vector<std::string> rejected;
+};
+
+/// Field, map and quads of a planar domain with the sizes of `constraints` (per edge).
+///
+/// The field's starts are judged by the integration error of their maps; a start whose map or mesh is not valid is
+/// passed over for the next best. `result` is filled as far as the run gets, also when it throws.
+/// \throws No_result_error of the best start if no start led to a valid mesh, and as the stages do.
+void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
+                       const Quad_pipeline_options& options, Quad_pipeline_result& result);
+
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "check_command.h"
+
+#include "Console.h"
+#include "json_summary.h"
+
+#include <Quadrille/Mesh_io/internal/Curve_locator.h>
+#include <Quadrille/read_mesh.h>
+#include <Quadrille/read_planar_domain.h>
+#include <Quadrille/write_file.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Quadrille {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How well the border of a mesh follows that of a domain.
+struct Border_comparison {
+  double distance_max = 0;  ///< of border vertices from the domain's curves
+  double relative_max = 0;  ///< the same divided by the bounding box's diagonal
+  double area_relative = 0; ///< area of the mesh / area of the domain - 1
+};
+
+double area_of(const Labelled_mesh& mesh)
+{
+  double area = 0;
+  for (const std::vector<int>& polygon : mesh.polygons)
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const auto &p = mesh.points[std::size_t(polygon[0])], &q = mesh.points[std::size_t(polygon[i - 1])],
+                 &r = mesh.points[std::size_t(polygon[i])];
+      area += 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+    }
+  return std::abs(area);
+}
+
+Border_comparison compare_borders(const Labelled_mesh& mesh, const Planar_domain& domain)
+{
+  Border_comparison result;
+  const internal::Curve_locator locator(domain);
+  for (const std::array<int, 2>& edge : internal::border_edges(mesh)) {
+    const auto& p = mesh.points[std::size_t(edge[0])];
+    result.distance_max = std::max(result.distance_max, locator.nearest(p[0], p[1]).distance);
+  }
+  CGAL::Bbox_2 box;
+  double area = 0;
+  for (const auto v : domain.mesh.vertices())
+    box += domain.mesh.point(v).bbox();
+  for (const auto f : domain.mesh.faces()) {
+    const auto h = domain.mesh.halfedge(f);
+    area += CGAL::area(domain.mesh.point(domain.mesh.source(h)), domain.mesh.point(domain.mesh.target(h)),
+                       domain.mesh.point(domain.mesh.target(domain.mesh.next(h))));
+  }
+  result.relative_max = result.distance_max / std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  result.area_relative = area_of(mesh) / area - 1;
+  return result;
+}
+
+void print_summary(Console& console, const std::string& name, const Mesh_validity& validity,
+                   const Mesh_summary& summary)
+{
+  std::ostringstream line;
+  line.precision(3);
+  const Mesh_quality& quality = summary.quality;
+  line << name << ": " << summary.vertices << " vertices, " << summary.quads << " quads, " << validity.components
+       << " components, " << validity.boundary_loops << " boundary loops";
+  console.print(line.str());
+  line.str("");
+  line << "scaled Jacobian min " << quality.scaled_jacobian_min << " mean " << quality.scaled_jacobian_mean
+       << ", skew mean " << quality.skew_mean << " max " << quality.skew_max << " degrees";
+  console.print(line.str());
+  line.str("");
+  line << "irregular interior vertices:";
+  for (const auto& [valence, n] : quality.irregular)
+    line << ' ' << n << " of valence " << valence << ';';
+  if (quality.irregular.empty())
+    line << " none";
+  console.print(line.str());
+  if (summary.size_error) {
+    line.str("");
+    line << "size error mean " << summary.size_error->mean << " max " << summary.size_error->max << " on "
+         << summary.size_error->n_edges << " edges";
+    console.print(line.str());
+  }
+}
+
+} // namespace
+
+void run_check_command(const Check_arguments& arguments)
+{
+  Console console(arguments.quiet);
+  if (!arguments.json.empty())
+    check_can_write(arguments.json);
+  Size_specification specification;
+  for (const std::string& size : arguments.sizes)
+    specification.add(size);
+  const Labelled_mesh mesh = read_mesh(arguments.mesh);
+  const Mesh_validity validity = check_quad_mesh(mesh);
+  if (mesh.polygons.empty())
+    throw Invalid_input_error(arguments.mesh + ": there are no polygons");
+
+  Json json;
+  json["input"] = {{"vertices", mesh.points.size()},
+                   {"faces", mesh.polygons.size()},
+                   {"boundary_loops", validity.boundary_loops},
+                   {"euler_characteristic", validity.euler_characteristic}};
+  json["valid"] = validity.is_valid();
+  json["problems"] = validity.problems;
+  Mesh_summary summary;
+  if (arguments.against.empty()) {
+    summary = summarize(mesh, nullptr, nullptr);
+  } else {
+    const Planar_domain domain = read_planar_domain(arguments.against);
+    const Domain_sizes sizes = specification.apply(domain);
+    summary = summarize(mesh, &domain, &sizes);
+    const Border_comparison comparison = compare_borders(mesh, domain);
+    json["against"] = {{"border_distance_max", comparison.distance_max},
+                       {"border_distance_max_relative", comparison.relative_max},
+                       {"area_change_relative", comparison.area_relative}};
+    std::ostringstream line;
+    line << "against " << arguments.against << ": border within " << comparison.distance_max << " ("
+         << comparison.relative_max << " of the diagonal), area changed by " << 100 * comparison.area_relative << " %";
+    console.print(line.str());
+  }
+  json["mesh"] = json_of(summary);
+  json["version"] = QUADRILLE_VERSION;
+  print_summary(console, arguments.mesh, validity, summary);
+  if (!arguments.json.empty())
+    write_file(arguments.json, json.dump(2) + "\n");
+  if (!validity.is_valid())
+    throw No_result_error(arguments.mesh, "not a valid quad mesh: " + validity.problems[0] +
+                                              (validity.problems.size() > 1 ? " (and other problems)" : ""));
+}
+
+} // namespace Quadrille

@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.h"
+
+#include <Quadrille/exceptions.h>
+
+#include <boost/program_options.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace Quadrille {
+
+namespace {
+
+namespace po = boost::program_options;
+using Strings = std::vector<std::string>;
+
+const char* const main_help =
+    R"(quadrille: planar domains to quadrilateral meshes with prescribed element sizes
+
+  quadrille quad IN -o OUT [options]   mesh a planar domain
+  quadrille check MESH [options]       validity and quality of a quad mesh
+  quadrille COMMAND --help             options of a command
+  quadrille --version
+
+Exit codes: 0 done, 2 unusable arguments, 3 unusable input, 4 no valid result.
+)";
+
+const char* const quad_help =
+    R"(quadrille quad IN -o OUT [options]
+
+Meshes the planar domain IN (.geo .step .stp .brep .iges; triangles in .msh .obj .off .vtk .ply .stl) with quads and
+writes them to OUT (.msh .vtk .vtu .obj). Sizes are lengths in the unit of IN. Default sizes: those at the points of a
+.geo file, or else the diagonal of the bounding box / 40.
+)";
+
+const char* const check_help =
+    R"(quadrille check MESH [options]
+
+Checks that MESH (.msh .vtk .obj .off) is a valid mesh of quads and measures its quality. Exit code 4 if it is not.
+)";
+
+po::options_description quad_options()
+{
+  po::options_description options("Options", 100);
+  options.add_options()("output,o", po::value<Strings>()->value_name("OUT"), "the mesh to write");
+  options.add_options()("size", po::value<Strings>()->value_name("SIZE"),
+                        "element size, repeatable: S everywhere, NAME=S on a physical group or curve tag, "
+                        "NAME=A:B linear along it, NAME=NxT normal x tangential");
+  options.add_options()("triangle-size", po::value<Strings>()->value_name("H"),
+                        "largest edge of the background triangulation (default: chosen and printed)");
+  options.add_options()("isotropic", "square elements (the default)");
+  options.add_options()("solver", po::value<Strings>()->value_name("lm|lbfgs"),
+                        "Levenberg-Marquardt with melting and freezing (default), or plain L-BFGS");
+  options.add_options()("starts", po::value<Strings>()->value_name("N"), "number of starts of the field (default 8)");
+  options.add_options()("seed", po::value<Strings>()->value_name("K"), "seed of the starts (default 1)");
+  options.add_options()("threads", po::value<Strings>()->value_name("T"), "threads (default 0: all cores)");
+  options.add_options()("quantizer", po::value<Strings>()->value_name("greedy"), "how lengths are made integer");
+  options.add_options()("field", po::value<Strings>()->value_name("F.vtu"), "write the frame field");
+  options.add_options()("map", po::value<Strings>()->value_name("F.obj"), "write the map as texture coordinates");
+  options.add_options()("picture", po::value<Strings>()->value_name("F.svg|F.png"),
+                        "draw field, map, layout and mesh");
+  options.add_options()("json", po::value<Strings>()->value_name("F.json"), "write the summary");
+  options.add_options()("quiet", "print errors only");
+  options.add_options()("help,h", "this text");
+  return options;
+}
+
+po::options_description check_options()
+{
+  po::options_description options("Options", 100);
+  options.add_options()("against", po::value<Strings>()->value_name("IN"),
+                        "the domain that the mesh should be of: compares borders, and sizes on its curves");
+  options.add_options()("size", po::value<Strings>()->value_name("SIZE"),
+                        "prescribed sizes, as for quadrille quad; needs --against");
+  options.add_options()("json", po::value<Strings>()->value_name("F.json"), "write the summary");
+  options.add_options()("quiet", "print errors only");
+  options.add_options()("help,h", "this text");
+  return options;
+}
+
+/// The options of one command, with what Boost leaves to do: one value each unless repeatable.
+class Parsed_options {
+public:
+  Parsed_options(const po::options_description& options, const Strings& arguments)
+  {
+    po::options_description all = options;
+    all.add_options()("input-file", po::value<Strings>());
+    po::positional_options_description positional;
+    positional.add("input-file", -1);
+    using namespace po::command_line_style;
+    po::store(po::command_line_parser(arguments)
+                  .options(all)
+                  .positional(positional)
+                  .style(unix_style & ~allow_guessing)
+                  .run(),
+              m_values);
+  }
+
+  bool has(const std::string& name) const { return m_values.count(name) != 0; }
+
+  Strings all(const std::string& name) const { return has(name) ? m_values[name].as<Strings>() : Strings(); }
+
+  /// The only value, or `otherwise`.
+  std::string one(const std::string& name, const std::string& otherwise = {}) const
+  {
+    const Strings values = all(name);
+    if (values.size() > 1)
+      throw Invalid_argument_error("option --" + name + " is given " + std::to_string(values.size()) + " times");
+    if (values.size() == 1 && values[0].empty())
+      throw Invalid_argument_error("option --" + name + " has an empty value");
+    return values.empty() ? otherwise : values[0];
+  }
+
+  template <class Number> Number number(const std::string& name, Number otherwise, Number least) const
+  {
+    if (!has(name))
+      return otherwise;
+    const std::string text = one(name);
+    Number value{};
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc() || end != text.data() + text.size() || !(value >= least) || !std::isfinite(double(value)))
+      throw Invalid_argument_error("option --" + name + ": '" + text + "' is not a valid number");
+    return value;
+  }
+
+  std::string input(const std::string& what) const
+  {
+    const Strings inputs = all("input-file");
+    if (inputs.empty())
+      throw Invalid_argument_error("no " + what + " is given");
+    if (inputs.size() > 1)
+      throw Invalid_argument_error("one " + what + " is expected, but there is also '" + inputs[1] + "'");
+    return inputs[0];
+  }
+
+private:
+  po::variables_map m_values;
+};
+
+Quad_arguments quad_arguments(const Parsed_options& options)
+{
+  Quad_arguments result;
+  result.input = options.input("input file");
+  result.output = options.one("output");
+  if (result.output.empty())
+    throw Invalid_argument_error("no output file is given; use -o OUT");
+  result.field = options.one("field");
+  result.map = options.one("map");
+  result.picture = options.one("picture");
+  result.json = options.one("json");
+  result.sizes = options.all("size");
+  result.triangle_size = options.number("triangle-size", 0.0, 0.0);
+  if (options.has("triangle-size") && result.triangle_size == 0)
+    throw Invalid_argument_error("option --triangle-size: the size must be positive");
+  const std::string solver = options.one("solver", "lm");
+  if (solver != "lm" && solver != "lbfgs")
+    throw Invalid_argument_error("option --solver: '" + solver + "' is neither lm nor lbfgs");
+  if (solver == "lbfgs")
+    result.solver = Field_solver_kind::lbfgs;
+  const std::string quantizer = options.one("quantizer", "greedy");
+  if (quantizer != "greedy")
+    throw Invalid_argument_error("option --quantizer: '" + quantizer + "' is not known; 'greedy' is");
+  result.starts = options.number("starts", result.starts, 0);
+  result.seed = options.number<std::uint64_t>("seed", result.seed, 0);
+  result.threads = options.number("threads", 0, 0);
+  result.quiet = options.has("quiet");
+  return result;
+}
+
+Check_arguments check_arguments(const Parsed_options& options)
+{
+  Check_arguments result;
+  result.mesh = options.input("mesh");
+  result.against = options.one("against");
+  result.json = options.one("json");
+  result.sizes = options.all("size");
+  if (!result.sizes.empty() && result.against.empty())
+    throw Invalid_argument_error("option --size needs --against, the domain whose curves it names");
+  result.quiet = options.has("quiet");
+  return result;
+}
+
+std::string help_text(const char* introduction, const po::options_description& options)
+{
+  std::ostringstream text;
+  text << introduction << '\n' << options;
+  return text.str();
+}
+
+} // namespace
+
+Command_line parse_command_line(const std::vector<std::string>& arguments)
+{
+  Command_line result;
+  if (arguments.empty())
+    throw Invalid_argument_error("no command is given; try quadrille --help");
+  const std::string& command = arguments[0];
+  if (command == "--help" || command == "-h" || command == "help") {
+    result.text = main_help;
+    return result;
+  }
+  if (command == "--version") {
+    result.text = "quadrille " QUADRILLE_VERSION "\n";
+    return result;
+  }
+  if (command != "quad" && command != "check")
+    throw Invalid_argument_error("'" + command + "' is no command; 'quad' and 'check' are (try quadrille --help)");
+  const bool is_quad = command == "quad";
+  try {
+    const po::options_description description = is_quad ? quad_options() : check_options();
+    const Parsed_options options(description, Strings(arguments.begin() + 1, arguments.end()));
+    if (options.has("help"))
+      result.text = help_text(is_quad ? quad_help : check_help, description);
+    else if (is_quad)
+      result.quad = quad_arguments(options);
+    else
+      result.check = check_arguments(options);
+  } catch (const po::error& error) {
+    throw Invalid_argument_error(std::string(error.what()) + " (try quadrille " + command + " --help)");
+  }
+  return result;
+}
+
+} // namespace Quadrille

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_TOOLS_COMMAND_LINE_H
+#define QUADRILLE_TOOLS_COMMAND_LINE_H
+
+#include <Quadrille/Odeco_field_options.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Quadrille {
+
+/// What the user asked `quadrille quad` for.
+struct Quad_arguments {
+  std::string input, output;
+  std::string field, map, picture, json; ///< further files to write; empty: none
+  std::vector<std::string> sizes;
+  double triangle_size = 0; ///< 0: chosen from the domain
+  Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
+  int starts = Odeco_field_options().starts;
+  std::uint64_t seed = Odeco_field_options().seed;
+  int threads = 0; ///< 0: all cores
+  bool quiet = false;
+};
+
+/// What the user asked `quadrille check` for.
+struct Check_arguments {
+  std::string mesh, against, json;
+  std::vector<std::string> sizes;
+  bool quiet = false;
+};
+
+/// A command line that has been understood: one of the two commands, or a text to print.
+struct Command_line {
+  std::optional<Quad_arguments> quad;
+  std::optional<Check_arguments> check;
+  std::string text; ///< of --help or --version
+};
+
+/// \throws Invalid_argument_error for unknown commands and options, and missing, repeated or unusable values.
+Command_line parse_command_line(const std::vector<std::string>& arguments);
+
+} // namespace Quadrille
+
+#endif

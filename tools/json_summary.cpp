@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "json_summary.h"
+
+#include <string>
+
+namespace Quadrille {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of_counts(const std::map<int, int>& counts)
+{
+  Json json = Json::object();
+  for (const auto& [key, count] : counts)
+    json[std::to_string(key)] = count;
+  return json;
+}
+
+const char* name_of(Field_start::Kind kind)
+{
+  switch (kind) {
+  case Field_start::Kind::smooth:
+    return "smooth";
+  case Field_start::Kind::relaxed:
+    return "relaxed";
+  default:
+    return "melted";
+  }
+}
+
+const char* name_of(Field_solver_kind solver)
+{
+  return solver == Field_solver_kind::lbfgs ? "lbfgs" : "lm";
+}
+
+int count_boundary_loops(const Planar_domain::Mesh& mesh)
+{
+  std::vector<char> seen(mesh.number_of_halfedges(), 0);
+  int n = 0;
+  for (const auto start : mesh.halfedges()) {
+    if (!mesh.is_border(start) || seen[std::size_t(start.idx())])
+      continue;
+    ++n;
+    auto h = start;
+    do {
+      seen[std::size_t(h.idx())] = 1;
+      h = mesh.next(h);
+    } while (h != start);
+  }
+  return n;
+}
+
+} // namespace
+
+Mesh_summary summarize(const Labelled_mesh& mesh, const Planar_domain* domain, const Domain_sizes* sizes)
+{
+  Mesh_summary summary;
+  summary.vertices = mesh.points.size();
+  summary.quads = mesh.polygons.size();
+  summary.quality = measure_quality(mesh);
+  if (domain && sizes)
+    summary.size_error = measure_size_error(mesh, *domain, *sizes);
+  return summary;
+}
+
+Json json_of(const Planar_domain& domain)
+{
+  const auto& mesh = domain.mesh;
+  return {{"vertices", mesh.number_of_vertices()},
+          {"faces", mesh.number_of_faces()},
+          {"boundary_loops", count_boundary_loops(mesh)},
+          {"euler_characteristic",
+           int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces())}};
+}
+
+Json json_of(const Mesh_summary& mesh)
+{
+  Json json;
+  json["vertices"] = mesh.vertices;
+  json["quads"] = mesh.quads;
+  json["irregular"] = json_of_counts(mesh.quality.irregular);
+  json["scaled_jacobian"] = {{"min", mesh.quality.scaled_jacobian_min}, {"mean", mesh.quality.scaled_jacobian_mean}};
+  json["skew_degrees"] = {{"mean", mesh.quality.skew_mean}, {"max", mesh.quality.skew_max}};
+  if (mesh.size_error)
+    json["size_error"] = {{"mean", mesh.size_error->mean}, {"max", mesh.size_error->max}};
+  return json;
+}
+
+void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Json& summary)
+{
+  if (result.field) {
+    const Odeco_field_result& field = *result.field;
+    Json& json = summary["field"];
+    const Field_start* chosen =
+        field.chosen >= 0 && std::size_t(field.chosen) < field.starts.size() ? &field.starts[std::size_t(field.chosen)] : nullptr;
+    json["solver"] = name_of(solver);
+    json["starts"] = field.starts.size();
+    if (chosen)
+      json["chosen"] = {{"start", field.chosen}, {"kind", name_of(chosen->kind)}, {"seed", chosen->seed}};
+    json["iterations"] = field.iterations;
+    json["energy"] = field.energy;
+    json["energy_terms"] = {{"lie", field.energy_lie}, {"odeco", field.energy_odeco}};
+    if (result.map) {
+      json["singularities"] = json_of_counts(result.map->singularities);
+      json["index_sum"] = result.map->index_sum;
+    }
+    json["seconds"] = field.seconds;
+  }
+  if (result.map) {
+    const auto& map = *result.map;
+    summary["map"] = {{"integration_error", map.integration_error},
+                      {"integration_residual", map.integration_residual},
+                      {"smooth_integration_error", result.smooth_integration_error},
+                      {"seam_residual_max", map.seam_residual_max},
+                      {"flipped", map.flipped},
+                      {"seconds", map.seconds}};
+  }
+  if (result.extraction) {
+    const Quad_extraction_result& extraction = *result.extraction;
+    summary["layout"] = {{"patches", extraction.layout.patches.size()},
+                         {"arcs", extraction.layout.arcs.size()},
+                         {"seconds", extraction.layout_seconds}};
+    summary["quantization"] = {{"method", "greedy"},
+                               {"area_change_relative", extraction.area_change_relative},
+                               {"collapsed_strips", extraction.collapsed_strips},
+                               {"seconds", extraction.quantization_seconds}};
+  }
+}
+
+} // namespace Quadrille

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_TOOLS_JSON_SUMMARY_H
+#define QUADRILLE_TOOLS_JSON_SUMMARY_H
+
+#include "Quad_pipeline.h"
+
+#include <Quadrille/Mesh_quality.h>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace Quadrille {
+
+/// What is said about a quad mesh.
+struct Mesh_summary {
+  std::size_t vertices = 0, quads = 0;
+  Mesh_quality quality;
+  std::optional<Size_error> size_error; ///< where sizes are prescribed
+};
+
+Mesh_summary summarize(const Labelled_mesh& mesh, const Planar_domain* domain, const Domain_sizes* sizes);
+
+/// The entries of the JSON summary. Their keys are stable: scripts rely on them.
+nlohmann::ordered_json json_of(const Planar_domain& domain);
+nlohmann::ordered_json json_of(const Mesh_summary& mesh);
+/// "field", "map", "layout" and "quantization", as far as the run got.
+void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, nlohmann::ordered_json& summary);
+
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "quad_command.h"
+
+#include "Console.h"
+#include "Quad_pipeline.h"
+#include "json_summary.h"
+#include "pipeline_output.h"
+#include "svg_picture.h"
+
+#include <Quadrille/Mesh_quality.h>
+#include <Quadrille/Size_specification.h>
+#include <Quadrille/read_planar_domain.h>
+#include <Quadrille/write_file.h>
+#include <Quadrille/write_mesh.h>
+
+#include <chrono>
+#include <set>
+#include <sstream>
+#include <thread>
+
+namespace Quadrille {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Finds out at once, not after the computation, that an output file cannot be written.
+void check_outputs(const Quad_arguments& arguments)
+{
+  mesh_file_format(arguments.output);
+  if (!arguments.picture.empty())
+    check_picture_name(arguments.picture);
+  const auto check_ending = [](const std::string& path, const std::string& ending) {
+    if (!path.empty() && (path.size() < ending.size() || path.substr(path.size() - ending.size()) != ending))
+      throw Invalid_argument_error(path + ": the name of this file has to end in " + ending);
+  };
+  check_ending(arguments.field, ".vtu");
+  check_ending(arguments.map, ".obj");
+  std::set<std::string> names{arguments.input};
+  for (const std::string& path :
+       {arguments.output, arguments.field, arguments.map, arguments.picture, arguments.json}) {
+    if (path.empty())
+      continue;
+    if (!names.insert(path).second)
+      throw Invalid_argument_error(path + ": this file is named twice");
+    check_can_write(path);
+  }
+}
+
+std::vector<Edge_frame_constraint> constraints_of(const Planar_domain& domain, const Domain_sizes& sizes)
+{
+  std::vector<Edge_frame_constraint> constraints(domain.mesh.number_of_edges());
+  for (std::size_t e = 0; e < constraints.size(); ++e)
+    constraints[e] = {domain.edge_curve[e] >= 0, true, sizes.of_edge[e][0], sizes.of_edge[e][1]};
+  return constraints;
+}
+
+std::string counts_text(const std::map<int, int>& counts)
+{
+  std::ostringstream text;
+  for (const auto& [valence, n] : counts)
+    text << (text.tellp() > 0 ? ", " : "") << n << " of valence " << valence;
+  return counts.empty() ? "none" : text.str();
+}
+
+/// One run of the program: the state that its steps hand on.
+class Quad_run {
+public:
+  explicit Quad_run(const Quad_arguments& arguments)
+      : m_arguments(arguments), m_console(arguments.quiet), m_start(std::chrono::steady_clock::now())
+  {
+  }
+
+  void run()
+  {
+    read();
+    try {
+      compute();
+    } catch (const Error& error) {
+      const auto* no_result = dynamic_cast<const No_result_error*>(&error);
+      m_summary["error"] = {{"stage", no_result ? no_result->stage() : "run"}, {"message", error.what()}};
+      write_summary();
+      throw;
+    }
+    write();
+    write_summary();
+    report();
+  }
+
+private:
+  void read()
+  {
+    Planar_domain_options options;
+    options.triangle_size = m_arguments.triangle_size;
+    Size_specification specification;
+    for (const std::string& size : m_arguments.sizes)
+      specification.add(size);
+    m_domain = read_planar_domain(m_arguments.input, options);
+    m_sizes = specification.apply(m_domain);
+    std::ostringstream line;
+    line << m_arguments.input << ": " << m_domain.mesh.number_of_faces() << " triangles";
+    if (m_domain.triangle_size > 0)
+      line << (m_arguments.triangle_size > 0 ? ", largest edge " : ", largest edge (chosen) ")
+           << m_domain.triangle_size;
+    m_console.print(line.str());
+    for (const auto* notes : {&m_domain.notes, &m_sizes.notes})
+      for (const std::string& note : *notes)
+        m_console.print(note);
+  }
+
+  void compute()
+  {
+    Quad_pipeline_options options;
+    options.field.solver = m_arguments.solver;
+    options.field.starts = m_arguments.starts;
+    options.field.seed = m_arguments.seed;
+    options.field.threads = m_arguments.threads;
+    options.observer = &m_console.observer();
+    run_quad_pipeline(m_domain, constraints_of(m_domain, m_sizes), options, m_result);
+    const auto start = std::chrono::steady_clock::now();
+    m_mesh = labelled_quads(m_domain, m_result);
+    const Mesh_validity validity = check_quad_mesh(m_mesh);
+    if (!validity.is_valid())
+      throw No_result_error("mesh", validity.problems[0]);
+    m_mesh_summary = summarize(m_mesh, &m_domain, &m_sizes);
+    m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  void write()
+  {
+    write_mesh(m_arguments.output, m_mesh);
+    if (!m_arguments.field.empty()) {
+      const Frames frames = frames_of(m_domain, m_result);
+      write_frame_field(m_arguments.field, m_domain, frames.u, frames.v, frames.valence);
+    }
+    if (!m_arguments.map.empty())
+      write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
+    if (!m_arguments.picture.empty())
+      write_picture(m_arguments.picture, m_domain, m_result);
+  }
+
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+  }
+
+  void write_summary()
+  {
+    if (m_arguments.json.empty())
+      return;
+    Json json;
+    json["input"] = json_of(m_domain);
+    json["input"]["triangle_size"] = m_domain.triangle_size;
+    add_stages(m_result, m_arguments.solver, json);
+    if (m_mesh_summary) {
+      json["mesh"] = json_of(*m_mesh_summary);
+      json["mesh"]["seconds"] = m_result.extraction->mesh_seconds + m_check_seconds;
+    }
+    json.update(m_summary);
+    json["seconds"] = seconds();
+    json["threads"] = m_arguments.threads > 0 ? m_arguments.threads : int(std::thread::hardware_concurrency());
+    json["seed"] = m_arguments.seed;
+    json["version"] = QUADRILLE_VERSION;
+    write_file(m_arguments.json, json.dump(2) + "\n");
+  }
+
+  void report()
+  {
+    std::ostringstream line;
+    line.precision(3);
+    line << "integration error " << m_result.map->integration_error << " (smooth field: ";
+    if (m_result.smooth_integration_error >= 0)
+      line << m_result.smooth_integration_error;
+    else
+      line << "none";
+    line << "), singularities: " << counts_text(m_result.map->singularities);
+    m_console.print(line.str());
+    line.str("");
+    const Mesh_quality& quality = m_mesh_summary->quality;
+    line << m_arguments.output << ": " << m_mesh_summary->quads << " quads, scaled Jacobian min "
+         << quality.scaled_jacobian_min << " mean " << quality.scaled_jacobian_mean << ", skew mean "
+         << quality.skew_mean << " max " << quality.skew_max << " degrees";
+    if (m_mesh_summary->size_error)
+      line << ", size error mean " << m_mesh_summary->size_error->mean;
+    line << ", " << seconds() << " s";
+    m_console.print(line.str());
+  }
+
+  const Quad_arguments& m_arguments;
+  Console m_console;
+  std::chrono::steady_clock::time_point m_start;
+  Planar_domain m_domain;
+  Domain_sizes m_sizes;
+  Quad_pipeline_result m_result;
+  Labelled_mesh m_mesh;
+  std::optional<Mesh_summary> m_mesh_summary;
+  double m_check_seconds = 0;
+  Json m_summary = Json::object();
+};
+
+} // namespace
+
+void run_quad_command(const Quad_arguments& arguments)
+{
+  check_outputs(arguments);
+  Quad_run(arguments).run();
+}
+
+} // namespace Quadrille
