@@ -25,10 +25,7 @@ std::mutex show_mutex;
 
 } // namespace
 
-void listen_to_interrupts()
-{
-  std::signal(SIGINT, handle_interrupt);
-}
+void listen_to_interrupts() { std::signal(SIGINT, handle_interrupt); }
 
 Console::Console(bool quiet)
     : m_quiet(quiet), m_shows_progress(!quiet && ::isatty(STDERR_FILENO) == 1),
@@ -36,10 +33,7 @@ Console::Console(bool quiet)
 {
 }
 
-Console::~Console()
-{
-  clear_progress();
-}
+Console::~Console() { clear_progress(); }
 
 void Console::print(const std::string& line)
 {

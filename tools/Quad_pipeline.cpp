@@ -42,10 +42,7 @@ Seamless_map<Mesh> integrate(const Planar_domain& domain, const std::vector<Grad
 }
 
 /// A candidate without a locally injective map is worse than every other, by how much of it is folded.
-double cost(const Seamless_map<Mesh>& map)
-{
-  return map.flipped == 0 ? map.integration_error : 1e3 + map.flipped;
-}
+double cost(const Seamless_map<Mesh>& map) { return map.flipped == 0 ? map.integration_error : 1e3 + map.flipped; }
 
 } // namespace
 
@@ -100,10 +97,9 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
       result.map = integrate(domain, result.gradients, map_options, result.corner_uv);
       result.field->chosen = int(start);
       result.quads.clear();
-      result.extraction =
-          extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
-                        domain.region_map(), result.quads, extraction_options, Greedy_quantizer(),
-                                        Curve_projector(domain));
+      result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv),
+                                        domain.chain_map(), domain.region_map(), result.quads, extraction_options,
+                                        Greedy_quantizer(), Curve_projector(domain));
       return;
     } catch (const No_result_error& error) {
       result.rejected.push_back("start " + std::to_string(start) + ": " + error.what());

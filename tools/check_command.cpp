@@ -6,7 +6,7 @@
 #include "Console.h"
 #include "json_summary.h"
 
-#include <Quadrille/Mesh_io/internal/Curve_locator.h>
+#include <Quadrille/Curve_locator.h>
 #include <Quadrille/read_mesh.h>
 #include <Quadrille/read_planar_domain.h>
 #include <Quadrille/write_file.h>
@@ -42,8 +42,8 @@ double area_of(const Labelled_mesh& mesh)
 Border_comparison compare_borders(const Labelled_mesh& mesh, const Planar_domain& domain)
 {
   Border_comparison result;
-  const internal::Curve_locator locator(domain);
-  for (const std::array<int, 2>& edge : internal::border_edges(mesh)) {
+  const Curve_locator locator(domain);
+  for (const std::array<int, 2>& edge : border_edges(mesh)) {
     const auto& p = mesh.points[std::size_t(edge[0])];
     result.distance_max = std::max(result.distance_max, locator.nearest(p[0], p[1]).distance);
   }

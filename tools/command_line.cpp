@@ -61,8 +61,7 @@ po::options_description quad_options()
   options.add_options()("quantizer", po::value<Strings>()->value_name("greedy"), "how lengths are made integer");
   options.add_options()("field", po::value<Strings>()->value_name("F.vtu"), "write the frame field");
   options.add_options()("map", po::value<Strings>()->value_name("F.obj"), "write the map as texture coordinates");
-  options.add_options()("picture", po::value<Strings>()->value_name("F.svg|F.png"),
-                        "draw field, map, layout and mesh");
+  options.add_options()("picture", po::value<Strings>()->value_name("F.svg|F.png"), "draw field, map, layout and mesh");
   options.add_options()("json", po::value<Strings>()->value_name("F.json"), "write the summary");
   options.add_options()("quiet", "print errors only");
   options.add_options()("help,h", "this text");

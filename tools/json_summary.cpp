@@ -31,10 +31,7 @@ const char* name_of(Field_start::Kind kind)
   }
 }
 
-const char* name_of(Field_solver_kind solver)
-{
-  return solver == Field_solver_kind::lbfgs ? "lbfgs" : "lm";
-}
+const char* name_of(Field_solver_kind solver) { return solver == Field_solver_kind::lbfgs ? "lbfgs" : "lm"; }
 
 int count_boundary_loops(const Planar_domain::Mesh& mesh)
 {
@@ -94,8 +91,9 @@ void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Js
   if (result.field) {
     const Odeco_field_result& field = *result.field;
     Json& json = summary["field"];
-    const Field_start* chosen =
-        field.chosen >= 0 && std::size_t(field.chosen) < field.starts.size() ? &field.starts[std::size_t(field.chosen)] : nullptr;
+    const Field_start* chosen = field.chosen >= 0 && std::size_t(field.chosen) < field.starts.size()
+                                    ? &field.starts[std::size_t(field.chosen)]
+                                    : nullptr;
     json["solver"] = name_of(solver);
     json["starts"] = field.starts.size();
     if (chosen)

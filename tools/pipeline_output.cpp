@@ -3,7 +3,7 @@
 
 #include "pipeline_output.h"
 
-#include <Quadrille/Mesh_io/internal/Curve_locator.h>
+#include <Quadrille/Curve_locator.h>
 
 namespace Quadrille {
 
@@ -19,7 +19,7 @@ Labelled_mesh labelled_quads(const Planar_domain& domain, const Quad_pipeline_re
   }
   mesh.polygon_region = result.extraction->quad_regions;
   // The extraction knows chains of curves; the nearest curve of the chain gives an edge its label.
-  const internal::Curve_locator locator(domain);
+  const Curve_locator locator(domain);
   for (const Quad_extraction_result::Curve_edge& edge : result.extraction->curve_edges) {
     const auto &p = mesh.points[std::size_t(edge.source)], &q = mesh.points[std::size_t(edge.target)];
     const auto place = locator.nearest(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), edge.curve);

@@ -141,10 +141,7 @@ private:
       write_picture(m_arguments.picture, m_domain, m_result);
   }
 
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
 
   void write_summary()
   {

@@ -5,11 +5,10 @@
 
 #include "pipeline_output.h"
 
-#include <Quadrille/Mesh_io/internal/format_numbers.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 namespace Quadrille {
@@ -81,8 +80,8 @@ private:
   /// One decimal is a tenth of a pixel.
   static std::string number(double value)
   {
-    std::string text;
-    internal::append_number(text, std::round(10 * value) / 10);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", value);
     return text;
   }
 
@@ -120,7 +119,9 @@ void draw_singular_vertices(const Planar_domain& domain, const Frames& frames, P
     const int valence = frames.valence[std::size_t(v.idx())];
     if (valence != 4)
       picture.circle(domain.mesh.point(v).x(), domain.mesh.point(v).y(),
-                     valence == 3 ? "#d22" : valence == 5 ? "#22d" : "#a2a");
+                     valence == 3   ? "#d22"
+                     : valence == 5 ? "#22d"
+                                    : "#a2a");
   }
 }
 
@@ -130,7 +131,8 @@ void draw_field(const Planar_domain& domain, const Frames& frames, Picture& pict
   const double cell = panel_size / 45 / picture.scale();
   double largest = 0;
   for (std::size_t f = 0; f < frames.u.size(); ++f)
-    largest = std::max({largest, std::hypot(frames.u[f][0], frames.u[f][1]), std::hypot(frames.v[f][0], frames.v[f][1])});
+    largest =
+        std::max({largest, std::hypot(frames.u[f][0], frames.u[f][1]), std::hypot(frames.v[f][0], frames.v[f][1])});
   const double factor = largest > 0 ? 0.5 * cell / largest : 0;
   picture.begin_path("stroke=\"#666\" stroke-width=\"1\"");
   for (const auto f : spread_faces(domain, cell)) {

@@ -3,7 +3,6 @@
 
 #include "svg_picture.h"
 
-#include <Quadrille/Mesh_io/internal/files.h>
 #include <Quadrille/write_file.h>
 
 #include <cerrno>
@@ -52,7 +51,7 @@ bool convert(const std::string& svg, const std::string& png)
 
 void check_picture_name(const std::string& path)
 {
-  const std::string extension = internal::extension_of(path);
+  const std::filesystem::path extension = std::filesystem::path(path).extension();
   if (extension != ".svg" && extension != ".png")
     throw Invalid_argument_error(path + ": pictures are .svg or .png files");
   if (extension == ".png" && !has_converter())
@@ -63,7 +62,7 @@ void check_picture_name(const std::string& path)
 void write_picture(const std::string& path, const Planar_domain& domain, const Quad_pipeline_result& result)
 {
   const std::string picture = svg_picture(domain, result);
-  if (internal::extension_of(path) != ".png")
+  if (std::filesystem::path(path).extension() != ".png")
     return write_file(path, picture);
   const std::string png = temporary_name_for(path), svg = png + ".svg";
   write_file(svg, picture);

@@ -64,19 +64,23 @@ TEST_F(Bad_input, files)
 
 TEST_F(Bad_input, outlines)
 {
-  expect_error("open.geo", points + "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};\n"
-                                    "Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1};\n",
+  expect_error("open.geo",
+               points + "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};\n"
+                        "Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1};\n",
                "is open at point");
-  expect_error("bow_tie.geo", points + "Line(1) = {1, 3}; Line(2) = {3, 2}; Line(3) = {2, 4}; Line(4) = {4, 1};\n"
-                                       "Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};\n",
+  expect_error("bow_tie.geo",
+               points + "Line(1) = {1, 3}; Line(2) = {3, 2}; Line(3) = {2, 4}; Line(4) = {4, 1};\n"
+                        "Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};\n",
                "curves 1 and 3 cross");
-  expect_error("tent.geo", points + "Point(5) = {0.5, 0.5, 1};\n"
-                                    "Line(1) = {1, 2}; Line(2) = {2, 5}; Line(3) = {5, 1}; Curve Loop(1) = {1 : 3};\n"
-                                    "Plane Surface(1) = {1};\n",
+  expect_error("tent.geo",
+               points + "Point(5) = {0.5, 0.5, 1};\n"
+                        "Line(1) = {1, 2}; Line(2) = {2, 5}; Line(3) = {5, 1}; Curve Loop(1) = {1 : 3};\n"
+                        "Plane Surface(1) = {1};\n",
                "z is not constant");
   expect_error("ball.geo", "SetFactory(\"OpenCASCADE\"); Sphere(1) = {0, 0, 0, 1};\n", "volumes");
-  expect_error("zero.geo", points + "Point(5) = {1, 0, 0}; Line(1) = {1, 2}; Line(2) = {2, 5}; Line(3) = {5, 3};\n"
-                                    "Line(4) = {3, 1}; Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};\n",
+  expect_error("zero.geo",
+               points + "Point(5) = {1, 0, 0}; Line(1) = {1, 2}; Line(2) = {2, 5}; Line(3) = {5, 3};\n"
+                        "Line(4) = {3, 1}; Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};\n",
                "has no length");
   expect_error("exit.geo", "Exit;\n", "ended abnormally");
 }
@@ -97,12 +101,13 @@ TEST_F(Bad_input, triangles)
   expect_error("quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "has 4 corners");
   expect_error("twice.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 2\n", "uses a point twice");
   expect_error("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n3 0 1 2\n3 0 2 3\n", "triangle 0");
-  expect_error("inverted.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 0 3 4\n",
-               "triangle 3");
+  expect_error("inverted.off",
+               "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 0 3 4\n", "triangle 3");
   expect_error("fan.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 2 0\n0 3 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n", "non-manifold");
   expect_error("touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n", "non-manifold");
   expect_error("parts.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 5 0\n6 5 0\n5 6 0\n3 0 1 2\n3 3 4 5\n", "disconnected");
-  expect_error("soup.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n", "same coordinates");
+  expect_error("soup.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 3 4 5\n",
+               "same coordinates");
   // A strip that winds around the origin by more than a full turn: every triangle is fine, the whole is not.
   std::string spiral = "OFF\n22 20 0\n";
   for (int i = 0; i <= 10; ++i) {
@@ -111,8 +116,10 @@ TEST_F(Bad_input, triangles)
     spiral += std::to_string(2 * std::cos(a)) + " " + std::to_string(2 * std::sin(a)) + " 0\n";
   }
   for (int i = 0; i < 20; ++i)
-    spiral += "3 " + std::to_string(i) + (i % 2 == 0 ? " " + std::to_string(i + 1) + " " + std::to_string(i + 2)
-                                                     : " " + std::to_string(i + 2) + " " + std::to_string(i + 1)) + "\n";
+    spiral += "3 " + std::to_string(i) +
+              (i % 2 == 0 ? " " + std::to_string(i + 1) + " " + std::to_string(i + 2)
+                          : " " + std::to_string(i + 2) + " " + std::to_string(i + 1)) +
+              "\n";
   expect_error("spiral.off", spiral, "intersects itself");
 }
 

@@ -54,10 +54,9 @@ using Mesh_files = Temporary_files;
 TEST_F(Mesh_files, all_formats_give_back_points_and_polygons)
 {
   for (const double scale : {1.0, 1e8, 1e-8})
-    for (const auto& [name, format] : {std::pair("a.msh", Mesh_file_format::by_extension),
-                                       std::pair("b.msh", Mesh_file_format::msh_2_2),
-                                       std::pair("c.vtk", Mesh_file_format::by_extension),
-                                       std::pair("d.obj", Mesh_file_format::by_extension)}) {
+    for (const auto& [name, format] :
+         {std::pair("a.msh", Mesh_file_format::by_extension), std::pair("b.msh", Mesh_file_format::msh_2_2),
+          std::pair("c.vtk", Mesh_file_format::by_extension), std::pair("d.obj", Mesh_file_format::by_extension)}) {
       const Labelled_mesh mesh = block(scale);
       write_mesh(path(name), mesh, format);
       const Labelled_mesh copy = read_mesh(path(name));
@@ -114,9 +113,8 @@ TEST_F(Mesh_files, triangles_in_msh_become_a_domain_with_names)
 
 TEST_F(Mesh_files, borders_without_labels_are_cut_at_corners)
 {
-  const Planar_domain square =
-      read_planar_domain(write("s.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n"
-                                        "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"));
+  const Planar_domain square = read_planar_domain(write("s.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n"
+                                                                 "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"));
   EXPECT_EQ(square.curves.size(), 4u);
   std::string disk = "OFF\n17 16 0\n0 0 0\n", faces;
   for (int i = 0; i < 16; ++i) {
@@ -142,8 +140,8 @@ TEST_F(Mesh_files, vtk_binary_and_version_5)
   for (const int x : {0, 0, 0, 1, 0, 0, 0, 1, 0})
     binary.append(reinterpret_cast<const char*>(x ? one : zero), 4);
   binary += "\nCELLS 1 4\n";
-  for (const char i : {3, 0, 1, 2})
-    (binary += std::string(3, '\0')) += i;
+  for (const int i : {3, 0, 1, 2})
+    binary += std::string(3, '\0') + std::string(1, static_cast<char>(i));
   binary += "\nCELL_TYPES 1\n" + std::string(3, '\0') + '\x05' + "\n";
   const Labelled_mesh mesh = read_mesh(write("b.vtk", binary));
   EXPECT_EQ(mesh.polygons, (std::vector<std::vector<int>>{{0, 1, 2}}));
@@ -168,8 +166,8 @@ TEST_F(Mesh_files, nothing_is_left_when_writing_fails)
 
 TEST_F(Mesh_files, field_and_map_files_hold_every_face_and_corner)
 {
-  const Planar_domain domain = read_planar_domain(
-      write("s.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
+  const Planar_domain domain =
+      read_planar_domain(write("s.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
   const std::vector<std::array<double, 2>> u(2, {3, 4}), v(2, {-8, 6});
   write_frame_field(path("f.vtu"), domain, u, v, {4, 3, 4, 5});
   const std::string field = content(path("f.vtu"));

@@ -41,13 +41,11 @@ TEST(Mesh_quality, of_a_square_and_a_parallelogram)
   EXPECT_NEAR(square.skew_max, 0, 1e-12);
   EXPECT_EQ(square.irregular_boundary, (std::map<int, int>{{1, 4}}));
   const double s = std::sqrt(3.0) / 2;
-  const Mesh_quality sheared =
-      measure_quality(quads({{0, 0, 0}, {1, 0, 0}, {1.5, s, 0}, {0.5, s, 0}}, {{0, 1, 2, 3}}));
+  const Mesh_quality sheared = measure_quality(quads({{0, 0, 0}, {1, 0, 0}, {1.5, s, 0}, {0.5, s, 0}}, {{0, 1, 2, 3}}));
   EXPECT_NEAR(sheared.scaled_jacobian_min, s, 1e-12);
   EXPECT_NEAR(sheared.skew_mean, 30, 1e-9);
   // Seen from the other side nothing changes.
-  const Mesh_quality back =
-      measure_quality(quads({{0, 0, 0}, {1, 0, 0}, {1.5, s, 0}, {0.5, s, 0}}, {{3, 2, 1, 0}}));
+  const Mesh_quality back = measure_quality(quads({{0, 0, 0}, {1, 0, 0}, {1.5, s, 0}, {0.5, s, 0}}, {{3, 2, 1, 0}}));
   EXPECT_NEAR(back.scaled_jacobian_min, s, 1e-12);
   EXPECT_NEAR(back.skew_max, 30, 1e-9);
 }
@@ -73,7 +71,7 @@ TEST(Mesh_quality, irregular_vertices)
 
 TEST(Mesh_validity, names_what_is_wrong)
 {
-  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0},  {0, 1, 0},
                                                   {2, 0, 0}, {2, 1, 0}, {1, 0.5, 0}};
   EXPECT_TRUE(check_quad_mesh(quads(points, {{0, 1, 2, 3}, {1, 4, 5, 2}})).is_valid());
   EXPECT_TRUE(check_quad_mesh(quads(points, {{3, 2, 1, 0}, {2, 5, 4, 1}})).clockwise);
@@ -110,8 +108,8 @@ TEST(Size_error, is_the_logarithm_of_the_ratio)
   specification.add("3=2");
   const Domain_sizes sizes = specification.apply(domain);
   // Two quads of length 2: exact on top, twice too long at the bottom, nothing prescribed left and right.
-  const Labelled_mesh mesh = quads({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {0, 1, 0}, {2, 1, 0}, {4, 1, 0}},
-                                   {{0, 1, 4, 3}, {1, 2, 5, 4}});
+  const Labelled_mesh mesh =
+      quads({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {0, 1, 0}, {2, 1, 0}, {4, 1, 0}}, {{0, 1, 4, 3}, {1, 2, 5, 4}});
   const Size_error error = measure_size_error(mesh, domain, sizes);
   EXPECT_EQ(error.n_edges, 4u);
   EXPECT_NEAR(error.max, std::log(2.0), 1e-12);

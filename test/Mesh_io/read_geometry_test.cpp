@@ -141,9 +141,10 @@ TEST_F(Read_geometry, same_triangles_at_every_scale)
 
 TEST_F(Read_geometry, same_triangles_for_a_rotated_domain)
 {
-  const std::string text = square(1) + circle("2", 0.4, 0.6, 0.15, 100) + "Delete { Surface{1}; }\n"
-                                                                          "Plane Surface(2) = {1, 2};\n"
-                                                                          "Physical Surface(\"plate\") = {2};\n";
+  const std::string text =
+      "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};\n"
+      "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1 : 4};\n" +
+      circle("2", 0.4, 0.6, 0.15, 100) + "Plane Surface(2) = {1, 2};\n";
   const Planar_domain straight = read_planar_domain(write("straight.geo", text));
   const Planar_domain turned =
       read_planar_domain(write("turned.geo", text + "Rotate {{0, 0, 1}, {0, 0, 0}, 0.3} { Surface{2}; }\n"));
@@ -172,11 +173,11 @@ TEST_F(Read_geometry, every_run_and_process_gives_the_same)
 TEST_F(Read_geometry, size_settings_of_the_file_do_not_matter)
 {
   const Planar_domain plain = read_planar_domain(write("plain.geo", square(1)));
-  const Planar_domain set = read_planar_domain(write(
-      "set.geo", square(1, "Transfinite Curve {1 : 4} = 3; Transfinite Surface {1}; Recombine Surface {1};\n"
-                           "Mesh.CharacteristicLengthFactor = 50; Mesh.Algorithm = 8; Mesh.ElementOrder = 2;\n"
-                           "Mesh.CharacteristicLengthMin = 0.3; Field[1] = MathEval; Field[1].F = \"0.4\";\n"
-                           "Background Field = 1;\n")));
+  const Planar_domain set = read_planar_domain(
+      write("set.geo", square(1, "Transfinite Curve {1 : 4} = 3; Transfinite Surface {1}; Recombine Surface {1};\n"
+                                 "Mesh.CharacteristicLengthFactor = 50; Mesh.Algorithm = 8; Mesh.ElementOrder = 2;\n"
+                                 "Mesh.CharacteristicLengthMin = 0.3; Field[1] = MathEval; Field[1].F = \"0.4\";\n"
+                                 "Background Field = 1;\n")));
   EXPECT_EQ(plain.mesh.number_of_faces(), set.mesh.number_of_faces());
 }
 
@@ -255,9 +256,9 @@ TEST_F(Read_geometry, regions_and_embedded_curves)
 
 TEST_F(Read_geometry, boundary_representation_of_open_cascade)
 {
-  const Planar_domain domain = read_planar_domain(write(
-      "occ.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {0, 0, 0, 4, 2}; Disk(2) = {2, 1, 0, 0.5};\n"
-                 "BooleanDifference(3) = {Surface{1}; Delete;}{Surface{2}; Delete;};\n"));
+  const Planar_domain domain = read_planar_domain(
+      write("occ.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {0, 0, 0, 4, 2}; Disk(2) = {2, 1, 0, 0.5};\n"
+                       "BooleanDifference(3) = {Surface{1}; Delete;}{Surface{2}; Delete;};\n"));
   expect_consistent(domain);
   EXPECT_EQ(domain.curves.size(), 5u);
   EXPECT_EQ(std::count_if(domain.curves.begin(), domain.curves.end(),

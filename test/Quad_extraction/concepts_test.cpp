@@ -5,8 +5,6 @@
 
 #include "extraction_helpers.h"
 
-#include <boost/concept_archetype.hpp>
-
 #include <gtest/gtest.h>
 
 using namespace quad_extraction_test;

@@ -24,8 +24,7 @@ using Mesh = CGAL::Surface_mesh<Point_2>;
 /// A layout with its map, from index arrays.
 struct Traced {
   explicit Traced(const Mapped_mesh& mesh, std::size_t max_steps = 100000)
-      : triangulation(mesh.points.size(), mesh.triangles),
-        map(triangulation, mesh.corner_uv, mesh.curve, mesh.region),
+      : triangulation(mesh.points.size(), mesh.triangles), map(triangulation, mesh.corner_uv, mesh.curve, mesh.region),
         layout(Quadrille::internal::extraction::build_layout(map, std::vector<char>(mesh.points.size(), 0), max_steps))
   {
   }
@@ -63,8 +62,8 @@ Extracted extract(const Mapped_mesh& mapped, const Quadrille::Quad_extraction_op
     }
   }
   Extracted extracted;
-  extracted.result = Quadrille::extract_quads(mesh, mesh.points(), uv, curve, region, extracted.quads, options,
-                                              quantizer, projector);
+  extracted.result =
+      Quadrille::extract_quads(mesh, mesh.points(), uv, curve, region, extracted.quads, options, quantizer, projector);
   return extracted;
 }
 
@@ -100,8 +99,7 @@ inline Glued_rectangles annulus(int count, int layers, double angular_length, do
   for (int layer = 0; layer < layers; ++layer)
     for (int i = 0; i < count; ++i) {
       const int j = (i + 1) % count;
-      result.cells.push_back(
-          {layer * count + i, (layer + 1) * count + i, (layer + 1) * count + j, layer * count + j});
+      result.cells.push_back({layer * count + i, (layer + 1) * count + i, (layer + 1) * count + j, layer * count + j});
     }
   result.length = [=](int a, int b) { return a / count == b / count ? angular_length / count : radial_length; };
   result.curve = [=](int a, int b, bool border) { return border ? (a / count == 0 && b / count == 0 ? 1 : 2) : -1; };
@@ -172,7 +170,9 @@ inline Glued_rectangles random_domain(unsigned seed)
     if (uniform() < feature_rate)
       features.insert(edge.first);
   result.length = [length](int a, int b) { return length.at(std::minmax(a, b)); };
-  result.curve = [features](int a, int b, bool border) { return border ? 0 : features.count(std::minmax(a, b)) ? 1 : -1; };
+  result.curve = [features](int a, int b, bool border) {
+    return border ? 0 : features.count(std::minmax(a, b)) ? 1 : -1;
+  };
   result.subdivisions = 3;
   result.jitter = 0.15;
   result.seed = seed;

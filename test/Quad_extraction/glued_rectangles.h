@@ -87,8 +87,11 @@ struct Glued_rectangles {
             y += noise(random) / n;
           }
           // The same step along a shared side must give the same value seen from both ends.
-          const auto coordinate = [](double l, double t) { return t < 0.5 ? snapped(t * l) : l - snapped((1 - t) * l); };
-          uv[index(i, j)] = inner ? Point{snapped(x * lu), snapped(y * lv)} : Point{coordinate(lu, x), coordinate(lv, y)};
+          const auto coordinate = [](double l, double t) {
+            return t < 0.5 ? snapped(t * l) : l - snapped((1 - t) * l);
+          };
+          uv[index(i, j)] =
+              inner ? Point{snapped(x * lu), snapped(y * lv)} : Point{coordinate(lu, x), coordinate(lv, y)};
           int& vertex = id[index(i, j)];
           if (inner) {
             vertex = new_vertex(mesh, bilinear(x, y));

@@ -108,7 +108,9 @@ TEST(Layout, features_end_meet_and_turn)
   expect_counts(dead_end, {9, 12, 4, 4});
 
   Glued_rectangles junction = cell_grid(2, 2);
-  junction.curve = [](int a, int b, bool border) { return border ? 0 : a + b == 5 || a + b == 11 || a + b == 7 ? 1 : -1; };
+  junction.curve = [](int a, int b, bool border) {
+    return border ? 0 : a + b == 5 || a + b == 11 || a + b == 7 ? 1 : -1;
+  };
   expect_counts(junction, {9, 12, 4, 4});
 
   Glued_rectangles box = cell_grid(3, 3);
@@ -148,9 +150,10 @@ TEST(Layout, symmetric_domain_has_symmetric_layout)
   for (const Quad_layout::Node& node : traced.layout.nodes) {
     const Eigen::Vector2d p = geometry.point(node.point);
     const Eigen::Vector2d turned(-p.y(), p.x());
-    EXPECT_TRUE(std::any_of(traced.layout.nodes.begin(), traced.layout.nodes.end(), [&](const Quad_layout::Node& other) {
-      return (geometry.point(other.point) - turned).norm() < 1e-12;
-    }));
+    EXPECT_TRUE(
+        std::any_of(traced.layout.nodes.begin(), traced.layout.nodes.end(), [&](const Quad_layout::Node& other) {
+          return (geometry.point(other.point) - turned).norm() < 1e-12;
+        }));
   }
 }
 

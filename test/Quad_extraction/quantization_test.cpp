@@ -48,8 +48,7 @@ Quad_layout grid_layout(const std::vector<double>& widths, const std::vector<dou
       add_arc(node(j < n ? i : i + 1, j), node(j < n ? i + 1 : i, j), widths[std::size_t(i)], i, j == 0 || j == n);
   for (int i = 0; i <= m; ++i)
     for (int j = 0; j < n; ++j)
-      add_arc(node(i, i > 0 ? j : j + 1), node(i, i > 0 ? j + 1 : j), heights[std::size_t(j)], m + j,
-              i == 0 || i == m);
+      add_arc(node(i, i > 0 ? j : j + 1), node(i, i > 0 ? j + 1 : j), heights[std::size_t(j)], m + j, i == 0 || i == m);
   layout.left_patch.assign(2 * layout.arcs.size(), -1);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < m; ++i) {

@@ -232,6 +232,12 @@ TEST(Smooth_quads, rejects_bad_input)
   auto targets = mesh.add_property_map<Mesh::Face_index, std::pair<double, double>>("f:target", {1, 0}).first;
   EXPECT_THROW(Quadrille::smooth_quads(mesh, mesh.points(), fixed, targets), Quadrille::Invalid_input_error);
 
+  Mesh clockwise = noisy_grid(2, 0, 1);
+  for (const auto v : clockwise.vertices())
+    clockwise.point(v) = Point_2(-clockwise.point(v).x(), clockwise.point(v).y());
+  EXPECT_THROW(Quadrille::smooth_quads(clockwise, clockwise.points(), corners_fixed(clockwise)),
+               Quadrille::Invalid_input_error);
+
   Mesh triangle;
   triangle.add_face(triangle.add_vertex(Point_2(0, 0)), triangle.add_vertex(Point_2(1, 0)),
                     triangle.add_vertex(Point_2(0, 1)));

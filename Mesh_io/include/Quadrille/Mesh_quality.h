@@ -8,6 +8,7 @@
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Size_specification.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,13 +18,13 @@ namespace Quadrille {
 /// Whether polygons form a valid planar quad mesh. Decided exactly, on the coordinates as they are.
 struct Mesh_validity {
   std::size_t non_quads = 0;
-  std::size_t degenerate_quads = 0;       ///< that use a vertex twice
-  std::size_t inverted_corners = 0;       ///< with an angle of 180 degrees or more, or 0 or less
-  std::size_t non_manifold_edges = 0;     ///< in more than two quads, or in two that are oriented differently
-  std::size_t non_manifold_vertices = 0;  ///< where several fans of quads meet
-  std::size_t duplicate_vertices = 0;     ///< with the coordinates of another one
-  std::size_t overlapping_borders = 0;    ///< 1 if the border meets itself: hanging vertices, overlaps
-  std::size_t isolated_vertices = 0;      ///< in no quad; allowed
+  std::size_t degenerate_quads = 0;      ///< that use a vertex twice
+  std::size_t inverted_corners = 0;      ///< with an angle of 180 degrees or more, or 0 or less
+  std::size_t non_manifold_edges = 0;    ///< in more than two quads, or in two that are oriented differently
+  std::size_t non_manifold_vertices = 0; ///< where several fans of quads meet
+  std::size_t duplicate_vertices = 0;    ///< with the coordinates of another one
+  std::size_t overlapping_borders = 0;   ///< 1 if the border meets itself: hanging vertices, overlaps
+  std::size_t isolated_vertices = 0;     ///< in no quad; allowed
   int boundary_loops = 0;
   int components = 0;
   int euler_characteristic = 0;
@@ -48,6 +49,9 @@ struct Mesh_quality {
 
 /// \pre all polygons are quads. Other polygons are skipped.
 Mesh_quality measure_quality(const Labelled_mesh& mesh);
+
+/// The edges that are in one polygon only, in its direction, sorted.
+std::vector<std::array<int, 2>> border_edges(const Labelled_mesh& mesh);
 
 /// |log(edge length / prescribed size)| over the edges on curves with a prescribed size.
 struct Size_error {

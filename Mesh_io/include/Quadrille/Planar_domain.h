@@ -60,8 +60,8 @@ struct Planar_domain {
   /// what a mesher should keep as one feature.
   int number_of_chains = 0;
 
-  /// Per edge, the unit tangents of its curve at source and target of `halfedge(edge)` (x, y, x, y); zero where they are
-  /// not known. Empty for meshes taken as they are.
+  /// Per edge, the unit tangents of its curve at source and target of `halfedge(edge)` (x, y, x, y); zero where they
+  /// are not known. Empty for meshes taken as they are.
   std::vector<std::array<double, 4>> edge_tangents;
   /// Per vertex, the element size that the input file prescribes there; 0 where it prescribes none.
   std::vector<double> point_size;
@@ -79,14 +79,17 @@ struct Planar_domain {
 /// Options of `make_planar_domain()` and `read_planar_domain()`.
 struct Planar_domain_options {
   /// Largest edge of the triangulation of a geometry file, in the file's units; 0: chosen from the area (about 2,200
-  /// triangles for a simple shape, before local refinement). Ignored for mesh files, whose triangles are taken as they are.
+  /// triangles for a simple shape, before local refinement). Ignored for mesh files, whose triangles are taken as they
+  /// are.
   double triangle_size = 0;
   /// Refine where curvature, short curves and narrow gaps need it.
   bool refine_locally = true;
-  double edges_per_circle = 24;  ///< of curvature-based refinement
+  double edges_per_circle = 24;   ///< of curvature-based refinement
   double edges_per_outline = 36;  ///< around each connected set of curves, such as a hole
   double triangles_per_gap = 3.5; ///< across the narrowest place between two curves
-  double size_gradation = 0.15;  ///< growth of the triangle size per unit of distance
+  double size_gradation = 0.15;   ///< growth of the triangle size per unit of distance
+  /// Local refinement stops at about this number of triangles (or three times what `triangle_size` alone needs).
+  int max_triangles = 30000;
   /// Two border edges that deviate by more than this many degrees from a straight line meet in a corner.
   double corner_degrees = 40;
   /// Let the geometry library work in a child process (where the system has them), so that its crashes, endless loops

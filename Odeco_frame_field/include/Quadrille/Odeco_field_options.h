@@ -51,6 +51,7 @@ struct Field_start {
   std::uint64_t seed = 0;
   bool valid = false;  ///< positive sizes everywhere
   double energy = 0;   ///< E_integ at the final epsilon
+  double energy_lie = 0; ///< its part E_Lie; planar-2, eq. (30)
   double cost = 0;     ///< the evaluator's, or the energy without one
   int iterations = 0;
   double seconds = 0;

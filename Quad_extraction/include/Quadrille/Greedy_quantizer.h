@@ -16,7 +16,8 @@ namespace Quadrille {
 /// Rounds the strips' lengths to integers one after another, cheapest first, and hands the area that each rounding
 /// loses or gains to the patches beside it. Model of `Quantizer`.
 ///
-/// After Algorithm 2 of Couplet, Chemin and Remacle, "Integrable frame fields using odeco tensors", with three changes:
+/// After Algorithm 2 of Couplet, Chemin and Remacle, "Size-Controlled Quadrilateral Meshing using Integrable Odeco
+/// Fields", with three changes:
 /// area is handed on to the nearest patches whose length is still open (the paper: to the direct neighbours), it does
 /// not cross the domain's curves, and `Strip_constraints` forbids collapses that would damage the topology.
 /// Complexity: about the number of patches times the logarithm of the number of strips; a little more if strips are

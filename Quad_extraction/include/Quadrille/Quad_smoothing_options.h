@@ -25,8 +25,9 @@ struct Quad_smoothing_report {
   int iterations = 0;            ///< steps with all corners positive
   int untangling_iterations = 0; ///< steps before
   double energy = 0;             ///< sum over the quads of the mean corner energy; 0 if all have their target shapes
-  int unprojected_vertices = 0;  ///< vertices that the projector would have moved into an inverted quad; left on the polyline
-  int inverted_quads = 0;        ///< with a corner that is not strictly convex
+  int unprojected_vertices =
+      0;                  ///< vertices that the projector would have moved into an inverted quad; left on the polyline
+  int inverted_quads = 0; ///< with a corner that is not strictly convex
   double seconds = 0;
 };
 

@@ -26,9 +26,9 @@ class Strip_constraints {
 public:
   /// `min_length`, by strip: least lengths asked for in addition; empty for none.
   explicit Strip_constraints(const Quad_layout& layout, int min_loop_edges = 4, std::vector<int> min_length = {})
-      : m_layout(&layout), m_min_loop_edges(min_loop_edges), m_min_length(std::move(min_length)), m_is_zero(layout.strips.size(), 0),
-        m_clusters(initial_clusters(layout)), m_arc_classes(initial_arc_classes(layout)),
-        m_loops_of_strip(layout.strips.size())
+      : m_layout(&layout), m_min_loop_edges(min_loop_edges), m_min_length(std::move(min_length)),
+        m_is_zero(layout.strips.size(), 0), m_clusters(initial_clusters(layout)),
+        m_arc_classes(initial_arc_classes(layout)), m_loops_of_strip(layout.strips.size())
   {
     m_min_length.resize(layout.strips.size(), 0);
     find_loops();

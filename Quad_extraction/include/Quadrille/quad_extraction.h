@@ -19,8 +19,9 @@ struct No_curve_projector {
 ///
 /// Separatrices of the map are traced without rounding and cut the domain into quadrilateral patches; `quantizer` gives
 /// the strips of patches integer lengths; strips of length 0 are collapsed, the others filled with grids, which are
-/// smoothed towards the shapes that the map prescribes. Method: Couplet, Chemin and Remacle, "Integrable frame fields
-/// using odeco tensors", Section 7.2; smoothing: Garanzha et al., "Foldover-free maps in 50 lines of code".
+/// smoothed towards the shapes that the map prescribes. Method: Couplet, Chemin and Remacle, "Size-Controlled
+/// Quadrilateral Meshing using Integrable Odeco Fields", Section 7.2; smoothing: Garanzha et al., "Foldover-free maps
+/// in 50 lines of code" (2021).
 ///
 /// The quad mesh has the topology of the domain; its interior irregular vertices are the singularities of the map with
 /// their valences; all its corners are strictly convex; its border edges lie on the domain's border and the feature

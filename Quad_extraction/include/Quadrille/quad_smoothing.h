@@ -23,8 +23,8 @@ namespace Quadrille {
 ///        of the two other sides; only their ratios over the whole mesh matter.
 /// \return what was done; `inverted_quads` > 0 if the mesh could not be untangled.
 ///
-/// \throws Invalid_input_error if a face is not a quad, a length is not positive, or there is no quad; nothing has been
-///         moved then. \throws Cancelled_error.
+/// \throws Invalid_input_error if a face is not a quad, a length is not positive, there is no quad, or faces are not
+///         counterclockwise; nothing has been moved then. \throws Cancelled_error.
 /// Complexity: some ten to some hundred sparse factorisations.
 template <class QuadMesh, class VertexPointMap, class VertexFixedMap, class FaceTargetMap>
 Quad_smoothing_report smooth_quads(const QuadMesh& mesh, VertexPointMap points, VertexFixedMap fixed,

@@ -10,8 +10,10 @@ namespace Quadrille {
 struct Seamless_parametrization_options {
   bool untangle = true;           ///< unfold flipped triangles, if there are any
   int max_untangling_rounds = 80; ///< each is a few Levenberg-Marquardt steps with one regularisation
-  bool repair_corners = true;     ///< move a quadrant to corners that the frames leave without one; else throw
-  int threads = 1;                ///< 0: all cores. The result does not depend on it
+  /// Change matchings near boundary and feature vertices where the frames turn by no quadrant (which otherwise throws),
+  /// or by a number that the angle of the domain contradicts (by more than 75 degrees, 108 at ends of feature lines).
+  bool repair_corners = true;
+  int threads = 1; ///< 0: all cores. The result does not depend on it
 };
 
 } // namespace Quadrille

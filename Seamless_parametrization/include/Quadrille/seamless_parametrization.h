@@ -54,7 +54,7 @@ template <class TriangleMesh> struct Seamless_map : Seamless_parametrization_res
   std::vector<std::pair<vertex_descriptor, int>> singular_vertices; ///< interior, with their valence (quadrants)
   std::vector<Corner> corners;                                      ///< wedges with other than 2 quadrants
   std::vector<Seam> seams;                                          ///< elsewhere coordinates agree across edges
-  std::vector<vertex_descriptor> repaired_vertices; ///< whose wedge the frames had left without a quadrant
+  std::vector<vertex_descriptor> repaired_vertices; ///< of the boundary or features, whose quadrants were changed
   std::vector<face_descriptor> flipped_faces;       ///< what untangling could not help
   std::vector<face_descriptor> flat_faces; ///< of these: all corners on one straight boundary or feature chain, which
                                            ///< every aligned map flattens; split the chain's chords and try again

@@ -88,15 +88,9 @@ private:
   std::size_t m_position = 0;
 };
 
-template <class Archive> void exchange(Archive& archive, Physical_group& g)
-{
-  archive(g.dimension, g.tag, g.name);
-}
+template <class Archive> void exchange(Archive& archive, Physical_group& g) { archive(g.dimension, g.tag, g.name); }
 
-template <class Archive> void exchange(Archive& archive, Entity_label& label)
-{
-  archive(label.tag, label.names);
-}
+template <class Archive> void exchange(Archive& archive, Entity_label& label) { archive(label.tag, label.names); }
 
 template <class Archive> void exchange(Archive& archive, Labelled_mesh& m)
 {

@@ -56,8 +56,8 @@ private:
                                         : m_mesh.halfedge(Vertex(Vertex::size_type(a)), Vertex(Vertex::size_type(b)));
       if (h == Planar_domain::Mesh::null_halfedge()) {
         const std::array<double, 3>& p = m_input.points[std::size_t(m_input.lines[l][0])];
-        throw Invalid_input_error(m_domain.source + ": line element " + std::to_string(l) +
-                                  " (counting from 0, from " + Triangle_checker::format_place(p[0], p[1]) +
+        throw Invalid_input_error(m_domain.source + ": line element " + std::to_string(l) + " (counting from 0, from " +
+                                  Triangle_checker::format_place(p[0], p[1]) +
                                   ") is not an edge of the triangles; remove it or make the mesh conform to it");
       }
       const int label = m_input.line_curve[l];
@@ -199,7 +199,8 @@ private:
         if (curve_of(h) >= 0)
           ends[n++] = h;
       const int a = root(curve_of(ends[0])), b = root(curve_of(ends[1]));
-      if (m_domain.curves[std::size_t(a)].names == m_domain.curves[std::size_t(b)].names && !is_corner(ends[0], ends[1]))
+      if (m_domain.curves[std::size_t(a)].names == m_domain.curves[std::size_t(b)].names &&
+          !is_corner(ends[0], ends[1]))
         parent[std::size_t(std::max(a, b))] = std::min(a, b);
     }
     for (std::size_t c = 0; c < parent.size(); ++c)

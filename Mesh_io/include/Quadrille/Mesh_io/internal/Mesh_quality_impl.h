@@ -4,7 +4,7 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_MESH_QUALITY_IMPL_H
 #define QUADRILLE_MESH_IO_INTERNAL_MESH_QUALITY_IMPL_H
 
-#include <Quadrille/Mesh_io/internal/Curve_locator.h>
+#include <Quadrille/Curve_locator.h>
 #include <Quadrille/Mesh_io/internal/check_triangles.h>
 #include <Quadrille/Mesh_io/internal/segment_intersections.h>
 #include <Quadrille/Mesh_quality.h>
@@ -118,8 +118,7 @@ private:
       }
       for (std::size_t i = 0; i < polygon.size(); ++i)
         if (turn(polygon, i) != wanted)
-          problem(m_result.inverted_corners,
-                  name + " has an inverted or flat corner at " + vertex_text(polygon[i]));
+          problem(m_result.inverted_corners, name + " has an inverted or flat corner at " + vertex_text(polygon[i]));
     }
   }
 
@@ -154,28 +153,32 @@ private:
                                                  std::to_string(order[i - 1]) + ": the quads there are not connected");
     for (const Numbered_segment& s : m_border)
       if (++n_border[std::size_t(s.ends[0])] == 2)
-        problem(m_result.non_manifold_vertices,
-                "several parts of the mesh touch only in " + vertex_text(s.ends[0]));
+        problem(m_result.non_manifold_vertices, "several parts of the mesh touch only in " + vertex_text(s.ends[0]));
     m_result.euler_characteristic =
         int(order.size()) - int((m_uses.size() + m_border.size()) / 2) + int(m_mesh.polygons.size());
   }
 
   void check_border()
   {
-    m_result.components = count_sets([&](const auto& join) {
-      for (const std::vector<int>& polygon : m_mesh.polygons)
-        for (std::size_t i = 1; i < polygon.size(); ++i)
-          join(polygon[0], polygon[i]);
-    }, m_is_used);
+    m_result.components = count_sets(
+        [&](const auto& join) {
+          for (const std::vector<int>& polygon : m_mesh.polygons)
+            for (std::size_t i = 1; i < polygon.size(); ++i)
+              join(polygon[0], polygon[i]);
+        },
+        m_is_used);
     std::vector<char> is_on_border(m_points.size(), 0);
     for (const Numbered_segment& s : m_border)
       is_on_border[std::size_t(s.ends[0])] = is_on_border[std::size_t(s.ends[1])] = 1;
-    m_result.boundary_loops = count_sets([&](const auto& join) {
-      for (const Numbered_segment& s : m_border)
-        join(s.ends[0], s.ends[1]);
-    }, is_on_border);
+    m_result.boundary_loops = count_sets(
+        [&](const auto& join) {
+          for (const Numbered_segment& s : m_border)
+            join(s.ends[0], s.ends[1]);
+        },
+        is_on_border);
     if (const auto pair = find_segment_conflict(m_points, m_border))
-      problem(m_result.overlapping_borders, "the border meets itself near " + vertex_text(m_border[pair->first].ends[0]) +
+      problem(m_result.overlapping_borders, "the border meets itself near " +
+                                                vertex_text(m_border[pair->first].ends[0]) +
                                                 ": polygons overlap, or share a part of an edge only");
   }
 
@@ -207,7 +210,8 @@ private:
   std::vector<Numbered_segment> m_border;
 };
 
-/// Edges in one polygon only, in its direction.
+} // namespace internal
+
 inline std::vector<std::array<int, 2>> border_edges(const Labelled_mesh& mesh)
 {
   std::set<std::pair<int, int>> directed;
@@ -221,12 +225,7 @@ inline std::vector<std::array<int, 2>> border_edges(const Labelled_mesh& mesh)
   return border;
 }
 
-} // namespace internal
-
-inline Mesh_validity check_quad_mesh(const Labelled_mesh& mesh)
-{
-  return internal::Quad_mesh_checker(mesh).run();
-}
+inline Mesh_validity check_quad_mesh(const Labelled_mesh& mesh) { return internal::Quad_mesh_checker(mesh).run(); }
 
 inline Mesh_quality measure_quality(const Labelled_mesh& mesh)
 {
@@ -268,7 +267,7 @@ inline Mesh_quality measure_quality(const Labelled_mesh& mesh)
   quality.scaled_jacobian_mean /= double(n);
   quality.skew_mean /= double(n);
   std::vector<char> is_on_border(mesh.points.size(), 0);
-  for (const std::array<int, 2>& edge : internal::border_edges(mesh))
+  for (const std::array<int, 2>& edge : border_edges(mesh))
     is_on_border[std::size_t(edge[0])] = is_on_border[std::size_t(edge[1])] = 1;
   for (std::size_t v = 0; v < n_quads.size(); ++v)
     if (n_quads[v] != 0 && n_quads[v] != (is_on_border[v] ? 2 : 4))
@@ -278,9 +277,9 @@ inline Mesh_quality measure_quality(const Labelled_mesh& mesh)
 
 inline Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& domain, const Domain_sizes& sizes)
 {
-  const internal::Curve_locator locator(domain);
+  const Curve_locator locator(domain);
   Size_error error;
-  for (const std::array<int, 2>& line : mesh.lines.empty() ? internal::border_edges(mesh) : mesh.lines) {
+  for (const std::array<int, 2>& line : mesh.lines.empty() ? border_edges(mesh) : mesh.lines) {
     const auto &p = mesh.points[std::size_t(line[0])], &q = mesh.points[std::size_t(line[1])];
     const auto place = locator.nearest(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]));
     if (!sizes.is_prescribed(place.edge))

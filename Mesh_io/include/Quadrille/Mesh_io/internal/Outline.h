@@ -19,10 +19,7 @@ namespace internal {
 
 using Point_2 = Segment_kernel::Point_2;
 
-inline double distance(const Point_2& p, const Point_2& q)
-{
-  return std::hypot(p.x() - q.x(), p.y() - q.y());
-}
+inline double distance(const Point_2& p, const Point_2& q) { return std::hypot(p.x() - q.x(), p.y() - q.y()); }
 
 /// A geometry in the plane: points, curves between them, surfaces between curves.
 struct Outline {

@@ -60,9 +60,8 @@ inline bool arrange_in_sequences(const Planar_domain& domain, const std::vector<
     if (incident.size() > 2)
       return false;
   std::vector<int> by_tag = curves;
-  std::stable_sort(by_tag.begin(), by_tag.end(), [&](int a, int b) {
-    return domain.curves[std::size_t(a)].tag < domain.curves[std::size_t(b)].tag;
-  });
+  std::stable_sort(by_tag.begin(), by_tag.end(),
+                   [&](int a, int b) { return domain.curves[std::size_t(a)].tag < domain.curves[std::size_t(b)].tag; });
   std::set<int> done;
   for (const int seed : by_tag) {
     if (!done.insert(seed).second)

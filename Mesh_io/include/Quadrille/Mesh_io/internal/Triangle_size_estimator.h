@@ -38,16 +38,33 @@ public:
   }
 
   /// Samples, looks at the gaps between samples, and samples again where they turn out to be narrow.
+  ///
+  /// Where that would take more than the allowed number of triangles, they are not made as small as the
+  /// narrowest gaps and details ask for; `coarsened()` tells.
   Triangle_size_field estimate()
   {
-    add_curvature_and_sides();
-    for (int round = 0; round < 3; ++round) {
-      const Triangle_size_field field(m_largest, m_options.size_gradation, all_sources());
-      sample(field);
-      add_gaps();
+    const double max_triangles =
+        std::max(double(m_options.max_triangles), 3 * 2.31 * m_region.area() / (m_largest * m_largest));
+    for (const double ratio : {500.0, 120.0, 40.0, 15.0, 6.0}) {
+      m_smallest = m_largest / ratio;
+      m_sources.clear();
+      m_samples.clear();
+      add_curvature_and_sides();
+      for (int round = 0; round < 3; ++round) {
+        const Triangle_size_field field(m_largest, m_options.size_gradation, all_sources());
+        sample(field);
+        add_gaps();
+      }
+      Triangle_size_field field(m_largest, m_options.size_gradation, all_sources());
+      const double n = count_triangles(field, Point_2(0, 0), 1, max_triangles);
+      if (n <= max_triangles)
+        return field;
+      m_coarsened = true;
     }
     return Triangle_size_field(m_largest, m_options.size_gradation, all_sources());
   }
+
+  bool coarsened() const { return m_coarsened; }
 
   /// Arc lengths that divide a curve into edges as long as the field says, ends included.
   static std::vector<double> subdivide(const Outline::Curve& curve, const Triangle_size_field& field, double factor)
@@ -105,10 +122,10 @@ private:
       std::vector<double> size = sizes_by_curvature(curve);
       const double by_elements = size_by_elements(curve);
       for (std::size_t i = 1; i < size.size(); ++i)
-        m_sources.push_back(
-            {curve.position[i - 1], curve.position[i],
-             std::min({size[i - 1], size[i], sides[c] / 3, outlines[c] / m_options.edges_per_outline, by_elements,
-                       m_largest})});
+        m_sources.push_back({curve.position[i - 1], curve.position[i],
+                             std::clamp(std::min({size[i - 1], size[i], sides[c] / 3,
+                                                  outlines[c] / m_options.edges_per_outline, by_elements}),
+                                        m_smallest, m_largest)});
     }
   }
 
@@ -133,8 +150,9 @@ private:
     };
     for (std::size_t p = 0; p < m_curves_at.size(); ++p)
       for (std::size_t i = 1; i < m_curves_at[p].size(); ++i)
-        if (largest_turn >= CGAL_PI || (m_curves_at[p].size() == 2 && CGAL_PI - angle_at(int(p), m_curves_at[p][0],
-                                                                                        m_curves_at[p][1]) < largest_turn))
+        if (largest_turn >= CGAL_PI ||
+            (m_curves_at[p].size() == 2 &&
+             CGAL_PI - angle_at(int(p), m_curves_at[p][0], m_curves_at[p][1]) < largest_turn))
           parent[std::size_t(root(m_curves_at[p][i - 1]))] = root(m_curves_at[p][i]);
     std::vector<double> length(parent.size(), 0), result;
     for (std::size_t c = 0; c < parent.size(); ++c)
@@ -152,8 +170,7 @@ private:
     const auto direction = [&](int c) {
       const Outline::Curve& curve = m_outline.curves[std::size_t(c)];
       const std::size_t n = curve.position.size();
-      return curve.first == p ? curve.position[1] - curve.position[0]
-                              : curve.position[n - 2] - curve.position[n - 1];
+      return curve.first == p ? curve.position[1] - curve.position[0] : curve.position[n - 2] - curve.position[n - 1];
     };
     const auto u = direction(a), v = direction(b);
     return std::abs(std::atan2(u.x() * v.y() - u.y() * v.x(), u * v));
@@ -203,7 +220,10 @@ private:
       const int begin = int(m_samples.size()), n = int(division.size());
       for (int i = 0; i < n; ++i) {
         const Point_2 p = curve.position_at(division[std::size_t(i)]);
-        m_samples.push_back({int(c), division[std::size_t(i)], p, m_largest,
+        m_samples.push_back({int(c),
+                             division[std::size_t(i)],
+                             p,
+                             m_largest,
                              {i > 0 ? begin + i - 1 : -1, i + 1 < n ? begin + i + 1 : -1}});
       }
     }
@@ -231,11 +251,12 @@ private:
   {
     Sample &p = m_samples[std::size_t(i)], &q = m_samples[std::size_t(j)];
     const double gap = std::min(distance_to_curve(p.position, q), distance_to_curve(q.position, p));
-    double size = std::max(gap / m_options.triangles_per_gap, m_largest / 500);
+    double size = std::max(gap / m_options.triangles_per_gap, m_smallest);
     if (size >= m_largest || gap == 0 || !m_region.contains(CGAL::midpoint(p.position, q.position)) ||
         connected_within(p, q, 3 * distance(p.position, q.position)))
       return;
-    if (p.curve != q.curve && share_point(p.curve, q.curve)) // the tip of a sharp corner cannot have many triangles across
+    if (p.curve != q.curve &&
+        share_point(p.curve, q.curve)) // the tip of a sharp corner cannot have many triangles across
       size = std::max(size, m_largest / 6);
     p.size = std::min(p.size, size);
     q.size = std::min(q.size, size);
@@ -246,8 +267,8 @@ private:
     double result = distance(x, sample.position);
     for (const int neighbor : sample.neighbors)
       if (neighbor >= 0)
-        result = std::min(result, Triangle_size_field::distance_to_segment(
-                                      x, sample.position, m_samples[std::size_t(neighbor)].position));
+        result = std::min(result, Triangle_size_field::distance_to_segment(x, sample.position,
+                                                                           m_samples[std::size_t(neighbor)].position));
     return result;
   }
 
@@ -286,9 +307,25 @@ private:
     return false;
   }
 
+  /// About how many triangles a field asks for in a square, by subdividing it; stops when there are more than `enough`.
+  double count_triangles(const Triangle_size_field& field, const Point_2& center, double side, double enough) const
+  {
+    const double h = field(center);
+    if (side <= 2 * h)
+      return m_region.contains(center) ? 2.31 * side * side / (h * h) : 0;
+    double n = 0;
+    for (const double dx : {-0.25, 0.25})
+      for (const double dy : {-0.25, 0.25})
+        if (n <= enough)
+          n += count_triangles(field, Point_2(center.x() + dx * side, center.y() + dy * side), 0.5 * side, enough - n);
+    return n;
+  }
+
   const Outline& m_outline;
   const Planar_domain_options& m_options;
   double m_largest;
+  double m_smallest = 0; ///< what gaps, curvature and sides may ask for
+  bool m_coarsened = false;
   Even_odd_region m_region;
   std::vector<std::vector<int>> m_curves_at; ///< by point
   std::vector<Source> m_sources;             ///< by curvature and short sides

@@ -123,7 +123,9 @@ private:
       std::size_t clockwise = 0, all = 0, first_clockwise = 0, first_counterclockwise = 0;
     };
     std::map<int, Counts> counts;
-    const auto region = [&](std::size_t f) { return f < m_input.polygon_region.size() ? m_input.polygon_region[f] : -1; };
+    const auto region = [&](std::size_t f) {
+      return f < m_input.polygon_region.size() ? m_input.polygon_region[f] : -1;
+    };
     for (std::size_t f = m_result.triangles.size(); f-- > 0;) {
       const CGAL::Orientation o = orientation(m_result.triangles[f]);
       if (o == CGAL::COLLINEAR)
@@ -159,7 +161,8 @@ private:
     });
     for (std::size_t i = 1; i < order.size(); ++i)
       if (point(order[i - 1]) == point(order[i]))
-        fail("two points at " + place(order[i]) + " have the same coordinates, so that the triangles there are not "
+        fail("two points at " + place(order[i]) +
+             " have the same coordinates, so that the triangles there are not "
              "connected; merge duplicate points");
   }
 

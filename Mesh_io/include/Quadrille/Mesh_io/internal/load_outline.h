@@ -169,8 +169,7 @@ private:
       for (std::size_t i = 1; i <= n; ++i) {
         curve.arc_length.push_back(curve.arc_length.back() + distance(curve.position[i - 1], curve.position[i]));
         if (i > 1)
-          largest_turn =
-              std::max(largest_turn, turn(curve.position[i - 2], curve.position[i - 1], curve.position[i]));
+          largest_turn = std::max(largest_turn, turn(curve.position[i - 2], curve.position[i - 1], curve.position[i]));
       }
       const double length = curve.length();
       if (curve.straight || !std::isfinite(length) ||

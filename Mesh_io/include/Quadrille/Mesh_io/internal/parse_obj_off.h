@@ -62,7 +62,8 @@ inline Labelled_mesh parse_obj(std::string text, const std::string& path)
         mesh.polygons.push_back(std::move(corners));
       }
     } else if (!keyword.empty() && keyword.front() != '#' && !std::isalpha(static_cast<unsigned char>(keyword[0]))) {
-      scanner.fail("'" + std::string(keyword.substr(0, 40)) + "' is no OBJ keyword: this is not an OBJ file, or damaged");
+      scanner.fail("'" + std::string(keyword.substr(0, 40)) +
+                   "' is no OBJ keyword: this is not an OBJ file, or damaged");
     }
     scanner.rest_of_line();
   }

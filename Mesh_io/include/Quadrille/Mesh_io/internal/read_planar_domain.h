@@ -73,9 +73,8 @@ inline Planar_domain read_planar_domain(const std::string& path, const Planar_do
   if (options.triangle_size > 0)
     throw Invalid_argument_error(path + ": a triangle size is only for geometry files; the triangles of a mesh file "
                                         "are taken as they are");
-  return make_planar_domain(internal::read_labelled_mesh(path, options.isolate_geometry_kernel,
-                                                         options.time_limit_seconds),
-                            path, options);
+  return make_planar_domain(
+      internal::read_labelled_mesh(path, options.isolate_geometry_kernel, options.time_limit_seconds), path, options);
 }
 
 } // namespace Quadrille

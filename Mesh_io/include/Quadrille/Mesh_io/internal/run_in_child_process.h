@@ -144,7 +144,8 @@ Result run_in_child_process(const Function& function, double time_limit_seconds,
 
 #else
 
-template <class Result, class Function> Result run_in_child_process(const Function& function, double, const std::string&)
+template <class Result, class Function>
+Result run_in_child_process(const Function& function, double, const std::string&)
 {
   return function();
 }

@@ -51,8 +51,8 @@ find_segment_conflict(const std::vector<Segment_kernel::Point_2>& points, const 
   std::vector<Box> boxes;
   boxes.reserve(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i)
-    boxes.emplace_back(points[std::size_t(segments[i].ends[0])].bbox() + points[std::size_t(segments[i].ends[1])].bbox(),
-                       i);
+    boxes.emplace_back(
+        points[std::size_t(segments[i].ends[0])].bbox() + points[std::size_t(segments[i].ends[1])].bbox(), i);
   std::optional<std::pair<std::size_t, std::size_t>> found;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
     const std::pair<std::size_t, std::size_t> pair = std::minmax({a.info(), b.info()});

@@ -77,7 +77,10 @@ private:
   void split(std::size_t t, std::size_t corner)
   {
     const int c = m_triangles[t][corner], a = m_triangles[t][(corner + 1) % 3], b = m_triangles[t][(corner + 2) % 3];
-    const std::size_t u = m_triangle_of.at({b, a});
+    const auto neighbor = m_triangle_of.find({b, a});
+    if (neighbor == m_triangle_of.end())
+      return;
+    const std::size_t u = neighbor->second;
     int d = -1;
     for (const int v : m_triangles[u])
       if (v != a && v != b)

@@ -76,7 +76,8 @@ inline void append_msh_nodes(std::string& text, const Labelled_mesh& mesh, const
     for (const int p : points)
       append_line(blocks, p + 1);
     for (const int p : points)
-      append_line(blocks, mesh.points[std::size_t(p)][0], mesh.points[std::size_t(p)][1], mesh.points[std::size_t(p)][2]);
+      append_line(blocks, mesh.points[std::size_t(p)][0], mesh.points[std::size_t(p)][1],
+                  mesh.points[std::size_t(p)][2]);
   };
   for (const auto& [tag, p] : model.corner_points)
     append_block(0, tag, {p});
@@ -152,7 +153,8 @@ inline std::string msh_2_2_text(const Labelled_mesh& mesh, const std::string& pa
   append_line(text, "$Elements");
   append_line(text, mesh.lines.size() + mesh.polygons.size());
   std::size_t n = 0;
-  const auto append_element = [&](int type, int tag, const Msh_entities::Entity& entity, const std::vector<int>& corners) {
+  const auto append_element = [&](int type, int tag, const Msh_entities::Entity& entity,
+                                  const std::vector<int>& corners) {
     append_line(text, ++n, type, 2, entity.physical_tags.empty() ? 0 : entity.physical_tags[0], tag);
     text.back() = ' ';
     append_msh_corners(text, corners);

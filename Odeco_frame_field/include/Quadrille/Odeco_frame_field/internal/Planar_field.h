@@ -198,6 +198,7 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
   const auto finish_start = [&](std::size_t i, Field_start start, const Field_solver<N>& solver,
                                 const Stopwatch& watch) {
     start.energy = solver.integrability_energy(fields[i]);
+    start.energy_lie = solver.lie_energy(fields[i]);
     const Gradients pairs = std::isfinite(start.energy) ? to_gradients(fields[i]) : Gradients();
     start.valid = !pairs.empty();
     start.cost = !start.valid ? std::numeric_limits<double>::infinity() : evaluator ? evaluator(i, pairs) : start.energy;
@@ -247,7 +248,7 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
   const Eigen::VectorXd& x = fields[std::size_t(result.chosen)];
   gradients = to_gradients(x);
   result.energy = result.starts[std::size_t(result.chosen)].energy;
-  result.energy_lie = first_solver.lie_energy(x);
+  result.energy_lie = result.starts[std::size_t(result.chosen)].energy_lie;
   result.energy_odeco = result.energy - result.energy_lie;
   result.harmonics.reserve(points.size());
   for (std::size_t v = 0; v < points.size(); ++v)

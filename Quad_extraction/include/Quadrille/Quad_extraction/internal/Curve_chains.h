@@ -25,8 +25,8 @@ public:
   };
 
   Curve_chains(const Quad_layout& layout, const Collapsed_layout& collapsed, const Layout_geometry& geometry)
-      : m_layout(&layout), m_collapsed(&collapsed), m_place_of_arc(layout.arcs.size()),
-        m_fractions(layout.arcs.size()), m_place_of_cluster(collapsed.clusters().size())
+      : m_layout(&layout), m_collapsed(&collapsed), m_place_of_arc(layout.arcs.size()), m_fractions(layout.arcs.size()),
+        m_place_of_cluster(collapsed.clusters().size())
   {
     for (const Quad_layout::Curve_chain& chain : layout.chains)
       add_chain(chain, geometry);

@@ -17,10 +17,10 @@ struct Indexed_quads {
   using Point = Eigen::Vector2d;
 
   struct Vertex {
-    int input_vertex = -1;   ///< the triangulation's vertex that it must stay at, or -1
-    int chain = -1;          ///< the curve that it slides on, or -1
-    double position = 0;     ///< arc length on that curve
-    int quadrants = 4;       ///< right angles around it in the map
+    int input_vertex = -1; ///< the triangulation's vertex that it must stay at, or -1
+    int chain = -1;        ///< the curve that it slides on, or -1
+    double position = 0;   ///< arc length on that curve
+    int quadrants = 4;     ///< right angles around it in the map
     bool border = false;
     bool constrained = false;
   };

@@ -29,10 +29,7 @@ struct Isoline_step {
   double position(const Uv& p) const { return along(direction, p) + offset; }
   bool is_left(const Uv& p) const { return along(direction + 1, p) > level; }
   /// The point of the isoline (chart of `face`) at arc length `s`.
-  Uv point(double s) const
-  {
-    return turned(direction, {s - offset, level});
-  }
+  Uv point(double s) const { return turned(direction, {s - offset, level}); }
 };
 
 /// The halfedge of the step's triangle that the isoline leaves through, -1 if it misses the triangle.

@@ -24,8 +24,8 @@ namespace internal::extraction {
 class Layout_builder {
 public:
   Layout_builder(const Seamless_map& map, const Separatrices& separatrices)
-      : m_map(map), m_mesh(map.mesh()), m_separatrices(separatrices),
-        m_trace_events(separatrices.traces().size()), m_edge_events(std::size_t(m_mesh.number_of_halfedges()))
+      : m_map(map), m_mesh(map.mesh()), m_separatrices(separatrices), m_trace_events(separatrices.traces().size()),
+        m_edge_events(std::size_t(m_mesh.number_of_halfedges()))
   {
   }
 
@@ -46,7 +46,7 @@ private:
   struct Trace_event {
     double position;
     int node;
-    int step;         ///< the node lies in this step's triangle, for an edge node at its exit
+    int step; ///< the node lies in this step's triangle, for an edge node at its exit
     bool at_exit;
     int slot_ahead;
     int slot_behind;

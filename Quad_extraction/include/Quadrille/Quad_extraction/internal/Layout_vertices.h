@@ -93,8 +93,7 @@ private:
       return here.quadrants != 2 || curves.size() != 1 || curves[0].second != arriving_border_curve(v);
     if (here.quadrants != 4 || curves.size() == 1 || curves.size() > 2)
       return true;
-    return curves.size() == 2 &&
-           (curves[0].second != curves[1].second || curves[1].first - curves[0].first != 2);
+    return curves.size() == 2 && (curves[0].second != curves[1].second || curves[1].first - curves[0].first != 2);
   }
 
   int arriving_border_curve(int v) const

@@ -61,8 +61,7 @@ public:
     const Point& a = m_leaving[i];
     const Point& b = m_arriving[i + 1];
     const Point value = p + s * s * (3 - 2 * s) * (q - p) + h * s * (1 - s) * ((1 - s) * a - s * b);
-    const Point derivative =
-        6 * s * (1 - s) / h * (q - p) + (1 - s) * (1 - 3 * s) * a + s * (3 * s - 2) * b;
+    const Point derivative = 6 * s * (1 - s) / h * (q - p) + (1 - s) * (1 - 3 * s) * a + s * (3 * s - 2) * b;
     return {value, derivative};
   }
 

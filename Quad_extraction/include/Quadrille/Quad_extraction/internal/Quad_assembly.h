@@ -17,8 +17,8 @@ namespace internal::extraction {
 /// Makes the quads of a quantized layout: each remaining patch becomes a grid between the subdivisions of its arcs.
 ///
 /// The grid nodes of arcs belong to the arcs' classes, so patches share them and the mesh is conforming by
-/// construction. Positions: on curves exactly; elsewhere where the map puts them, blended to the ends and sides that the
-/// collapse has moved.
+/// construction. Positions: on curves exactly; elsewhere where the map puts them, blended to the ends and sides that
+/// the collapse has moved.
 class Quad_assembly {
 public:
   using Point = Indexed_quads::Point;
@@ -172,8 +172,8 @@ private:
     const double unit_v = n / at(m_layout.arcs, sides[1] / 2).length;
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < m; ++i) {
-        m_quads.quads.push_back({at(ids, index(i, j)), at(ids, index(i + 1, j)), at(ids, index(i + 1, j + 1)),
-                                 at(ids, index(i, j + 1))});
+        m_quads.quads.push_back(
+            {at(ids, index(i, j)), at(ids, index(i + 1, j)), at(ids, index(i + 1, j + 1)), at(ids, index(i, j + 1))});
         m_quads.region.push_back(patch.region);
         m_quads.patch.push_back(patch_index);
         const Point& a = at(in_map, index(i, j));
@@ -181,8 +181,8 @@ private:
         const Point& c = at(in_map, index(i + 1, j + 1));
         const Point& d = at(in_map, index(i, j + 1));
         // One unit of the map is the wanted size.
-        m_quads.target.push_back({unit_u * ((b - a).norm() + (c - d).norm()) / 2,
-                                  unit_v * ((d - a).norm() + (c - b).norm()) / 2});
+        m_quads.target.push_back(
+            {unit_u * ((b - a).norm() + (c - d).norm()) / 2, unit_v * ((d - a).norm() + (c - b).norm()) / 2});
       }
   }
 

@@ -54,11 +54,18 @@ public:
       }
     }
     std::size_t border_edges = 0;
-    for (const auto& edge : quad_of_edge) {
-      const int a = static_cast<int>(edge.first / n);
-      const int b = static_cast<int>(edge.first % n);
-      border_edges += quad_of_edge.count(key(b, a)) ? 0 : 1;
-    }
+    std::vector<char> has_border_edge(n, 0);
+    for (int q = 0; q < size_of(m_quads.quads); ++q)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const int a = at(m_quads.quads, q)[i];
+        const int b = at(m_quads.quads, q)[(i + 1) % 4];
+        if (quad_of_edge.count(key(b, a)))
+          continue;
+        ++border_edges;
+        if (at(has_border_edge, a))
+          fail(q, "touches another part of the border in a vertex");
+        at(has_border_edge, a) = 1;
+      }
     for (const Indexed_quads::Curve_edge& edge : m_quads.curve_edges) {
       const bool left = quad_of_edge.count(key(edge.source, edge.target)) > 0;
       const bool right = quad_of_edge.count(key(edge.target, edge.source)) > 0;

@@ -43,8 +43,7 @@ public:
   enum class Motion : char { fixed, on_curve, free };
 
   /// \pre `quads` outlives the term; `motion` by vertex. Its points are the positions of fixed vertices.
-  Quad_shape_term(const Indexed_quads& quads, std::vector<Motion> motion, double unit, double theta,
-                  double omega)
+  Quad_shape_term(const Indexed_quads& quads, std::vector<Motion> motion, double unit, double theta, double omega)
       : m_quads(&quads), m_motion(std::move(motion)), m_first(m_motion.size(), -1), m_unit(unit),
         m_sqrt_theta(std::sqrt(theta)), m_sqrt_omega(std::sqrt(omega))
   {

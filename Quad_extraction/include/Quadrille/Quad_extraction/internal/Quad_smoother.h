@@ -44,7 +44,7 @@ public:
         at(m_quads.points, v) =
             at(m_quads.curves, at(m_quads.vertices, v).chain).point(at(m_quads.vertices, v).position);
     project_onto_curves(project);
-    if (m_quads.points != smooth)
+    if (is_changed(smooth))
       optimize(motions(false), m_options.max_iterations);
     return m_report;
   }
@@ -54,10 +54,25 @@ private:
   {
     std::vector<Motion> motion;
     for (const Indexed_quads::Vertex& vertex : m_quads.vertices)
-      motion.push_back(!vertex.constrained                ? Motion::free
+      motion.push_back(!vertex.constrained          ? Motion::free
                        : vertex.chain >= 0 && slide ? Motion::on_curve
-                                                          : Motion::fixed);
+                                                    : Motion::fixed);
     return motion;
+  }
+
+  /// Have vertices moved by more than a small part of the quads' sizes, or quads become inverted?
+  bool is_changed(const std::vector<Point>& before) const
+  {
+    constexpr double small = 1e-3;
+    for (int q = 0; q < size_of(m_quads.quads); ++q) {
+      const std::array<double, 2>& target = at(m_quads.target, q);
+      for (const int v : at(m_quads.quads, q))
+        if ((at(m_quads.points, v) - at(before, v)).norm() > small * std::min(target[0], target[1]))
+          return true;
+      if (!is_convex(m_quads.points, at(m_quads.quads, q)))
+        return true;
+    }
+    return false;
   }
 
   /// Only the ratios of the targets are given by the map once the counts are fixed.
@@ -72,6 +87,8 @@ private:
       const Point other = at(m_quads.points, quad[3]) - at(m_quads.points, quad[1]);
       actual += 0.5 * (diagonal.x() * other.y() - diagonal.y() * other.x());
     }
+    if (!(actual > 0))
+      throw Invalid_input_error("the quads to be smoothed are not oriented counterclockwise");
     const double factor = std::sqrt(actual / wanted);
     for (auto& target : m_quads.target)
       target = {factor * target[0], factor * target[1]};
@@ -136,9 +153,8 @@ private:
       if (after == before)
         continue;
       at(m_quads.points, v) = after;
-      const bool valid = std::all_of(at(quads_of, v).begin(), at(quads_of, v).end(), [this](int q) {
-        return is_convex(m_quads.points, at(m_quads.quads, q));
-      });
+      const bool valid = std::all_of(at(quads_of, v).begin(), at(quads_of, v).end(),
+                                     [this](int q) { return is_convex(m_quads.points, at(m_quads.quads, q)); });
       if (!after.allFinite() || !valid) {
         at(m_quads.points, v) = before;
         ++m_report.unprojected_vertices;

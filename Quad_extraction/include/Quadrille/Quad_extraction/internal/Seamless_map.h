@@ -62,17 +62,17 @@ struct Transition {
 /// A triangulation with an exactly seamless map: everything that tracing asks, answered without rounding.
 ///
 /// The transitions, the right angles around vertices and the directions of edges are derived from the corner
-/// coordinates alone. At a vertex the axis directions that leave it are numbered counterclockwise by *slots*: 0, 1, ...,
-/// q - 1 for an interior vertex surrounded by q right angles, 0 (the leaving border edge) to q (the arriving one) on
-/// the border.
+/// coordinates alone. At a vertex the axis directions that leave it are numbered counterclockwise by *slots*: 0, 1,
+/// ..., q - 1 for an interior vertex surrounded by q right angles, 0 (the leaving border edge) to q (the arriving one)
+/// on the border.
 class Seamless_map {
 public:
   /// \param corner_uv, halfedge_curve by halfedge; \param face_region by face. The triangulation must outlive the map.
   /// \throws Invalid_input_error, No_result_error as `extract_quads`. Complexity: linear.
   Seamless_map(const Indexed_triangulation& mesh, std::vector<Uv> corner_uv, std::vector<int> halfedge_curve,
                std::vector<int> face_region)
-      : m_mesh(&mesh), m_uv(std::move(corner_uv)), m_curve(std::move(halfedge_curve)),
-        m_region(std::move(face_region)), m_transition(m_uv.size())
+      : m_mesh(&mesh), m_uv(std::move(corner_uv)), m_curve(std::move(halfedge_curve)), m_region(std::move(face_region)),
+        m_transition(m_uv.size())
   {
     check_common_grid();
     check_orientation();

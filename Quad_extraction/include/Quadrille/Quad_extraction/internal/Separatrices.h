@@ -21,7 +21,8 @@ class Separatrices {
 public:
   /// `kept`: as for `Layout_vertices`. `max_steps`: as for `Isoline_tracer`.
   Separatrices(const Seamless_map& map, const std::vector<char>& kept, std::size_t max_steps)
-      : m_map(&map), m_vertices(map, kept), m_tracer(map, max_steps), m_hit(std::size_t(map.mesh().number_of_halfedges()), 0)
+      : m_map(&map), m_vertices(map, kept), m_tracer(map, max_steps),
+        m_hit(std::size_t(map.mesh().number_of_halfedges()), 0)
   {
     find_loops();
     trace_ports(0);

@@ -77,8 +77,8 @@ inline std::vector<Trace_crossing> find_crossings(const Seamless_map& map, const
           continue;
         bool inside = true;
         for (int h = 3 * f; h < 3 * f + 3 && inside; ++h)
-          inside = perturbed_orientation(map.uv(h), map.uv(Indexed_triangulation::next(h)), point,
-                                         step_1.direction + 1, step_2.direction + 1) > 0;
+          inside = perturbed_orientation(map.uv(h), map.uv(Indexed_triangulation::next(h)), point, step_1.direction + 1,
+                                         step_2.direction + 1) > 0;
         if (inside)
           crossings.push_back({{at(by_face, i).first, at(by_face, j).first},
                                {at(by_face, i).second, at(by_face, j).second},

@@ -107,8 +107,8 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
 {
   Lap_timer timer;
   report_progress(options, "layout", 0);
-  const std::size_t max_steps = options.max_trace_steps > 0 ? options.max_trace_steps
-                                                            : 4 * std::size_t(map.mesh().number_of_faces()) + 1000;
+  const std::size_t max_steps =
+      options.max_trace_steps > 0 ? options.max_trace_steps : 4 * std::size_t(map.mesh().number_of_faces()) + 1000;
   result.layout = build_layout(map, kinks(map, points, options.kink_degrees), max_steps);
   const Quad_layout& layout = result.layout;
   const Layout_geometry geometry(map, points, layout);

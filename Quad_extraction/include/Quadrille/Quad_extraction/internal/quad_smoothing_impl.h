@@ -127,8 +127,7 @@ Quad_smoothing_report smooth_user_quads(const QuadMesh& mesh, VertexPointMap poi
   Lap_timer timer;
   Smoothable_mesh<QuadMesh> smoothable(mesh, points, fixed, target);
   Indexed_quads& quads = smoothable.quads;
-  Quad_smoothing_report report =
-      Quad_smoother(quads, options).run([](int, const Eigen::Vector2d& p) { return p; });
+  Quad_smoothing_report report = Quad_smoother(quads, options).run([](int, const Eigen::Vector2d& p) { return p; });
   for (const auto& quad : quads.quads)
     report.inverted_quads += is_convex(quads.points, quad) ? 0 : 1;
   for (int v = 0; v < size_of(quads.points); ++v)

@@ -38,7 +38,13 @@ struct Frame_topology {
   std::vector<int> sector_of_corner;  ///< by corner (= the halfedge that leaves it)
   std::vector<Sector> sectors;        ///< by vertex, counterclockwise around it
   std::vector<int> vertex_quadrants;  ///< by vertex: the sum over its sectors; 0 for an isolated vertex
-  std::vector<int> repaired_vertices; ///< whose quadrants contradicted the angle of the domain and were changed
+  std::vector<int> repaired_vertices; ///< on constrained edges, whose quadrants were changed
+
+  /// The matching that maps the direction of a constrained edge on one side to that on the other.
+  int matching_by_alignment(int h, int opposite) const
+  {
+    return (alignment[std::size_t(opposite)] + 2 - alignment[std::size_t(h)]) & 3;
+  }
 
   /// Four times the index of vertex v: 4 - quadrants in the interior, 2 - quadrants on the boundary.
   int quarter_index(const Indexed_triangulation& mesh, int v) const
@@ -127,7 +133,7 @@ private:
     }
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (m_constrained[std::size_t(h)] && !m_mesh.is_boundary(h))
-        m_topology.matching[std::size_t(h)] = constrained_matching(m_topology, h, m_mesh.opposite(h));
+        m_topology.matching[std::size_t(h)] = m_topology.matching_by_alignment(h, m_mesh.opposite(h));
   }
 
   void count_quadrants()
@@ -169,8 +175,9 @@ private:
     int last_edge = -1;
     do {
       m_topology.sector_of_corner[std::size_t(h)] = int(m_topology.sectors.size());
-      angle += m_geometry.corner_angle(h);
-      domain_angle += m_geometry.corner_angle(h);
+      const double corner_angle = m_geometry.corner_angle(h);
+      angle += corner_angle;
+      domain_angle += corner_angle;
       last_edge = Indexed_triangulation::prev(h);
       h = m_mesh.opposite(last_edge);
       if (m_constrained[std::size_t(last_edge)])
@@ -212,14 +219,6 @@ private:
                                        "; the surface's angles or transports are inconsistent");
   }
 
-public:
-  /// The matching across a constrained edge that maps its direction on one side to that on the other.
-  static int constrained_matching(const Frame_topology& topology, int h, int opposite)
-  {
-    return (topology.alignment[std::size_t(opposite)] + 2 - topology.alignment[std::size_t(h)]) & 3;
-  }
-
-private:
   const Indexed_triangulation& m_mesh;
   const Tangent_geometry& m_geometry;
   const std::vector<char>& m_constrained; ///< by halfedge, equal on both sides, set on the whole boundary

@@ -35,20 +35,21 @@ public:
   /// Complexity: linear for each quadrant moved, in the number of corners nearer than the sector that spares it.
   std::vector<int> operator()()
   {
-    std::vector<int> without;
-    for (int s = 0; s < int(m_topology.sectors.size()); ++s) {
-      const int before = sector(s).quadrants;
+    const std::vector<Frame_topology::Sector> before = m_topology.sectors;
+    for (int s = 0; s < int(before.size()); ++s) {
       while (sector(s).quadrants < sector(s).least_quadrants && exchange(s, -1)) {
       }
       while (sector(s).quadrants > sector(s).most_quadrants && exchange(s, 1)) {
       }
-      if (sector(s).quadrants != before)
-        m_topology.repaired_vertices.push_back(sector(s).vertex);
+    }
+    std::vector<int> without;
+    for (int s = 0; s < int(before.size()); ++s) {
       if (sector(s).quadrants < 1)
         without.push_back(s);
+      if (sector(s).constrained && sector(s).quadrants != before[std::size_t(s)].quadrants)
+        m_topology.repaired_vertices.push_back(sector(s).vertex);
     }
-    if (!m_topology.repaired_vertices.empty())
-      update_constrained_matchings();
+    update_constrained_matchings();
     return without;
   }
 
@@ -176,8 +177,7 @@ private:
   {
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (m_topology.alignment[std::size_t(h)] >= 0 && !m_mesh.is_boundary(h))
-        m_topology.matching[std::size_t(h)] =
-            Frame_topology_builder::constrained_matching(m_topology, h, m_mesh.opposite(h));
+        m_topology.matching[std::size_t(h)] = m_topology.matching_by_alignment(h, m_mesh.opposite(h));
   }
 
   const Indexed_triangulation& m_mesh;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef QUADRILLE_MESH_IO_INTERNAL_CURVE_LOCATOR_H
-#define QUADRILLE_MESH_IO_INTERNAL_CURVE_LOCATOR_H
+#ifndef QUADRILLE_CURVE_LOCATOR_H
+#define QUADRILLE_CURVE_LOCATOR_H
 
 #include <Quadrille/Planar_domain.h>
 
@@ -12,11 +12,12 @@
 #include <vector>
 
 namespace Quadrille {
-namespace internal {
-
-/// Finds the nearest point on the curves of a planar domain. Linear in the number of edges of the chain.
+/// Finds the nearest point on the curves of a planar domain, by looking at all edges.
+///
+/// \pre the domain outlives the locator and does not change.
 class Curve_locator {
 public:
+  /// A point on an edge of the domain's mesh.
   struct Place {
     Planar_domain::edge_descriptor edge;
     double parameter = 0; ///< from 0 at the source to 1 at the target of `halfedge(edge)`
@@ -33,7 +34,7 @@ public:
       }
   }
 
-  /// The nearest point on `chain`, or on all of them.
+  /// The nearest point on a chain of the domain, or, without one, on all its curves. Linear in the number of edges.
   Place nearest(double x, double y, int chain = -1) const
   {
     Place best;
@@ -55,7 +56,6 @@ private:
   std::vector<std::vector<Planar_domain::edge_descriptor>> m_edges; ///< by chain, then all
 };
 
-} // namespace internal
 } // namespace Quadrille
 
 #endif

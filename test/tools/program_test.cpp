@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Program : public ::testing::Test {
+protected:
+  Program()
+  {
+    std::string pattern = (fs::temp_directory_path() / "quadrille-test-XXXXXX").string();
+    if (!::mkdtemp(pattern.data()))
+      std::abort();
+    m_folder = pattern;
+    fs::create_directory(path("out"));
+  }
+  ~Program() override
+  {
+    fs::permissions(path("out"), fs::perms::owner_all);
+    fs::remove_all(m_folder);
+  }
+
+  std::string path(const std::string& name) const { return (m_folder / name).string(); }
+
+  std::string write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+  static std::string content(const std::string& file_name)
+  {
+    std::ifstream file(file_name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  }
+
+  /// Starts the program; its outputs go to the files "stdout" and "stderr".
+  pid_t start(std::vector<std::string> arguments)
+  {
+    arguments.insert(arguments.begin(), QUADRILLE_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments)
+      argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    const std::string out = path("stdout"), err = path("stderr");
+    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    pid_t child = 0;
+    EXPECT_EQ(::posix_spawn(&child, QUADRILLE_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    return child;
+  }
+
+  static int wait_for(pid_t child)
+  {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  }
+
+  int run(const std::vector<std::string>& arguments)
+  {
+    const int code = wait_for(start(arguments));
+    m_error = content(path("stderr"));
+    m_output = content(path("stdout"));
+    return code;
+  }
+
+  void expect_failure(const std::vector<std::string>& arguments, int code, const std::string& word)
+  {
+    EXPECT_EQ(run(arguments), code) << m_error;
+    EXPECT_EQ(m_error.rfind("quadrille: error: ", 0), 0u) << m_error;
+    EXPECT_NE(m_error.find(word), std::string::npos) << m_error;
+    EXPECT_TRUE(fs::is_empty(path("out"))) << "something was left behind";
+  }
+
+  std::string square(double side = 4)
+  {
+    const std::string s = std::to_string(side);
+    return write("square.geo", "s = " + s +
+                                   "; Point(1) = {0, 0, 0}; Point(2) = {s, 0, 0}; Point(3) = {s, s, 0};\n"
+                                   "Point(4) = {0, s, 0}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};\n"
+                                   "Line(4) = {4, 1}; Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};\n"
+                                   "Physical Curve(\"bottom\", 5) = {1}; Physical Surface(\"plate\", 6) = {1};\n");
+  }
+
+  fs::path m_folder;
+  std::string m_output, m_error;
+};
+
+TEST_F(Program, help_and_version)
+{
+  EXPECT_EQ(run({"--version"}), 0);
+  EXPECT_EQ(m_output.rfind("quadrille ", 0), 0u);
+  EXPECT_EQ(run({"--help"}), 0);
+  EXPECT_NE(m_output.find("Exit codes"), std::string::npos);
+  for (const char* command : {"quad", "check"}) {
+    EXPECT_EQ(run({command, "--help"}), 0);
+    EXPECT_NE(m_output.find("--json"), std::string::npos);
+  }
+}
+
+TEST_F(Program, unusable_arguments)
+{
+  const std::string in = square(), out = path("out/a.msh");
+  expect_failure({}, 2, "no command");
+  expect_failure({"mesh"}, 2, "mesh");
+  expect_failure({"quad"}, 2, "no input file");
+  expect_failure({"quad", in}, 2, "no output file");
+  expect_failure({"quad", in, in, "-o", out}, 2, "one input file");
+  expect_failure({"quad", in, "-o"}, 2, "output");
+  expect_failure({"quad", in, "-o", out, "--sizes", "1"}, 2, "sizes");
+  expect_failure({"quad", in, "-o", out, "--triangle", "1"}, 2, "triangle");
+  expect_failure({"quad", in, "-o", out, "--anisotropic"}, 2, "anisotropic");
+  expect_failure({"quad", in, "-o", out, "--order", "2"}, 2, "order");
+  expect_failure({"quad", in, "-o", out, "-o", path("out/b.msh")}, 2, "output");
+  expect_failure({"quad", in, "-o", path("out/a.stl")}, 2, "unknown output format");
+  expect_failure({"quad", in, "-o", out, "--starts", "some"}, 2, "starts");
+  expect_failure({"quad", in, "-o", out, "--starts", "-1"}, 2, "starts");
+  expect_failure({"quad", in, "-o", out, "--threads", "1.5"}, 2, "threads");
+  expect_failure({"quad", in, "-o", out, "--triangle-size", "0"}, 2, "triangle-size");
+  expect_failure({"quad", in, "-o", out, "--triangle-size", "nan"}, 2, "triangle-size");
+  expect_failure({"quad", in, "-o", out, "--solver", "newton"}, 2, "newton");
+  expect_failure({"quad", in, "-o", out, "--quantizer", "best"}, 2, "best");
+  expect_failure({"quad", in, "-o", out, "--size", "0"}, 2, "positive");
+  expect_failure({"quad", in, "-o", out, "--size", "-1"}, 2, "size");
+  expect_failure({"quad", in, "-o", out, "--size", "nan"}, 2, "nan");
+  expect_failure({"quad", in, "-o", out, "--size", "lid=1"}, 2, "bottom");
+  expect_failure({"quad", in, "-o", out, "--size", "bottom=1x2"}, 2, "anisotropic");
+  expect_failure({"quad", in, "-o", out, "--field", path("out/f.txt")}, 2, ".vtu");
+  expect_failure({"quad", in, "-o", out, "--picture", path("out/f.gif")}, 2, ".svg");
+  expect_failure({"quad", in, "-o", out, "--json", out}, 2, "twice");
+  expect_failure({"quad", in, "-o", path("nowhere/a.msh")}, 2, "does not exist");
+  expect_failure({"quad", in, "-o", path("out")}, 2, "unknown output format");
+  expect_failure({"check"}, 2, "no mesh");
+  expect_failure({"check", in, "--size", "1"}, 2, "--against");
+}
+
+TEST_F(Program, output_folder_that_is_not_writable)
+{
+  const std::string in = square();
+  if (fs::exists("/proc/self"))
+    expect_failure({"quad", in, "-o", "/proc/quadrille.msh"}, 2, "writable");
+  if (::geteuid() == 0)
+    GTEST_SKIP() << "root may write to its own folders whatever their permissions";
+  fs::permissions(path("out"), fs::perms::owner_read | fs::perms::owner_exec);
+  expect_failure({"quad", in, "-o", path("out/a.msh")}, 2, "writable");
+}
+
+TEST_F(Program, unusable_input)
+{
+  const std::string out = path("out/a.msh"), json = path("out/a.json");
+  const auto expect_unusable = [&](const std::string& in, const std::string& word) {
+    expect_failure({"quad", in, "-o", out, "--json", json, "--quiet"}, 3, word);
+    EXPECT_NE(m_error.find(in), std::string::npos) << m_error;
+  };
+  expect_unusable(path("missing.geo"), "no such file");
+  expect_unusable(write("empty.geo", ""), "empty");
+  expect_unusable(write("truncated.geo", content(square()).substr(0, content(square()).size() - 20)), "syntax error");
+  expect_unusable(write("square.xyz", "1"), "unknown format");
+  expect_unusable(write("surface.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n3 0 1 2\n"), "planar domain");
+  expect_unusable(write("open.geo", "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {0, 1, 0};\n"
+                                    "Line(1) = {1, 2}; Line(2) = {2, 3}; Curve Loop(1) = {1, 2};\n"
+                                    "Plane Surface(1) = {1};\n"),
+                  "open");
+  EXPECT_EQ(run({"check", path("missing.msh")}), 3);
+}
+
+TEST_F(Program, meshes_a_square_and_checks_it)
+{
+  const std::string in = square(), out = path("out/a.msh"), json = path("out/a.json");
+  ASSERT_EQ(run({"quad", in, "-o", out, "--size", "0.5", "--json", json, "--field", path("out/f.vtu"), "--map",
+                 path("out/m.obj"), "--picture", path("out/p.svg"), "--starts", "1", "--triangle-size", "0.4"}),
+            0)
+      << m_error;
+  EXPECT_EQ(m_error, ""); // no progress on what is not a terminal
+  const nlohmann::json summary = nlohmann::json::parse(content(json));
+  EXPECT_EQ(summary["mesh"]["quads"], 64);
+  EXPECT_EQ(summary["mesh"]["vertices"], 81);
+  EXPECT_GT(summary["mesh"]["scaled_jacobian"]["min"], 0.99);
+  EXPECT_LT(summary["mesh"]["size_error"]["max"], 0.05);
+  EXPECT_EQ(summary["map"]["seam_residual_max"], 0);
+  EXPECT_EQ(summary["field"]["index_sum"], 1);
+  EXPECT_EQ(summary["input"]["euler_characteristic"], 1);
+  for (const char* key :
+       {"input", "field", "map", "layout", "quantization", "mesh", "seconds", "threads", "seed", "version"})
+    EXPECT_TRUE(summary.contains(key)) << key;
+  const std::string mesh = content(out);
+  EXPECT_NE(mesh.find("1 5 \"bottom\""), std::string::npos);
+  EXPECT_NE(mesh.find("2 6 \"plate\""), std::string::npos);
+  EXPECT_EQ(content(path("out/p.svg")).rfind("<svg", 0), 0u);
+  EXPECT_EQ(std::distance(fs::directory_iterator(path("out")), {}), 5); // and no temporary files
+
+  EXPECT_EQ(run({"check", out, "--against", in, "--size", "0.5", "--json", path("c.json")}), 0) << m_error;
+  const nlohmann::json check = nlohmann::json::parse(content(path("c.json")));
+  EXPECT_EQ(check["valid"], true);
+  EXPECT_LT(check["against"]["border_distance_max_relative"], 1e-12);
+  EXPECT_EQ(check["mesh"]["size_error"]["max"], summary["mesh"]["size_error"]["max"]);
+
+  // The same file again, by another number of threads and quietly.
+  ASSERT_EQ(run({"quad", in, "-o", path("b.msh"), "--size", "0.5", "--starts", "1", "--triangle-size", "0.4",
+                 "--threads", "1", "--quiet"}),
+            0);
+  EXPECT_EQ(m_output, "");
+  EXPECT_EQ(content(path("b.msh")), mesh);
+}
+
+TEST_F(Program, check_rejects_invalid_meshes)
+{
+  const std::string twisted = write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3 4\n");
+  EXPECT_EQ(run({"check", twisted}), 4);
+  EXPECT_NE(m_error.find("inverted"), std::string::npos) << m_error;
+  EXPECT_EQ(run({"check", write("e.obj", "v 0 0 0\n")}), 3);
+}
+
+TEST_F(Program, an_interrupt_leaves_no_files)
+{
+  const std::string in = square();
+  const pid_t child =
+      start({"quad", in, "-o", path("out/a.msh"), "--size", "0.02", "--starts", "50", "--triangle-size", "0.05"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  ::kill(child, SIGINT);
+  EXPECT_EQ(wait_for(child), 130);
+  EXPECT_TRUE(fs::is_empty(path("out")));
+}
+
+} // namespace
