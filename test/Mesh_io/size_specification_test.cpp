@@ -41,7 +41,7 @@ std::array<double, 2> sizes_at(const Planar_domain& domain, const Domain_sizes& 
       const auto& q = domain.mesh.point(domain.mesh.target(h));
       if (std::abs(0.5 * (p.x() + q.x()) - x) + std::abs(0.5 * (p.y() + q.y()) - y) > 1e-9)
         continue;
-      const auto e = domain.mesh.edge(h);
+      const Planar_domain::edge_descriptor e(domain.mesh.edge(h).idx()); // as in edges(mesh)
       std::array<double, 2> size = sizes.of_edge[e.idx()];
       if (domain.mesh.halfedge(e) != h)
         std::swap(size[0], size[1]);

@@ -59,6 +59,20 @@ TEST(Odeco_frame_field, finds_the_constant_field_of_a_rectangle)
   }
 }
 
+TEST(Odeco_frame_field, has_the_prescribed_sizes_at_the_boundary_vertices)
+{
+  // Coarse edges and steep sizes: an edge whose two ends were mixed up would show.
+  const Mesh mesh = square(4, 1).surface_mesh();
+  const auto size = [](const Kernel::Point_2& p) { return 1 + 2 * p.x() + 5 * p.y(); };
+  const Field field = boundary_field(mesh, size, quick(0));
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (mesh.is_border(v)) {
+      const Orthogonal_frame_2 frame = nearest_odeco_frame(field.result.harmonics[v]);
+      EXPECT_NEAR(frame.size_u, size(mesh.point(v)), 1e-8);
+      EXPECT_NEAR(frame.size_v, size(mesh.point(v)), 1e-8);
+    }
+}
+
 TEST(Odeco_frame_field, finds_the_conformal_field_of_an_annulus_sector)
 {
   // Sizes proportional to the radius are integrable (the map is log z): what is left of the energy is discretisation.

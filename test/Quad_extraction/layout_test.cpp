@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "extraction_helpers.h"
+#include "planar_test_meshes.h"
 
 #include <Quadrille/Quad_extraction/internal/Layout_builder.h>
 
@@ -165,6 +166,52 @@ TEST(Layout, crossings_do_not_depend_on_the_triangulation)
     domain.subdivisions = 2 + int(seed % 5);
     domain.jitter = 0.3;
     EXPECT_EQ(Traced(domain.build()).layout.patches.size(), 7U) << "seed " << seed;
+  }
+}
+
+// Rectangles with rectangular holes at random places and the identity as map: separatrices cross triangles anywhere.
+TEST(Layout, random_rectangular_holes)
+{
+  std::mt19937 random(11);
+  const auto uniform = [&random](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  for (int run = 0; run < 25; ++run) {
+    std::vector<std::vector<Eigen::Vector2d>> polygons;
+    const auto add_rectangle = [&polygons](double x0, double y0, double x1, double y1) {
+      polygons.push_back({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+    };
+    add_rectangle(0, 0, 9, 6);
+    int holes = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 2; ++j)
+        if (random() % 4) {
+          const double x = 3 * i + uniform(0.2, 1.2), y = 3 * j + uniform(0.2, 1.2);
+          add_rectangle(x, y, x + uniform(0.3, 1.5), y + uniform(0.3, 1.5));
+          ++holes;
+        }
+    const Quadrille::test::Planar_mesh mesh = Quadrille::test::delaunay_mesh(polygons, uniform(0.3, 1.5));
+    Mapped_mesh mapped;
+    for (const Eigen::Vector2d& p : mesh.points)
+      mapped.points.push_back({p.x(), p.y()});
+    mapped.triangles = mesh.triangles;
+    mapped.region.assign(mesh.triangles.size(), 0);
+    const Quadrille::internal::Indexed_triangulation triangulation(mesh.points.size(), mesh.triangles);
+    for (int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+      const Point& p = mapped.points[std::size_t(triangulation.source(h))];
+      mapped.corner_uv.push_back({snapped(p[0]), snapped(p[1])});
+      mapped.curve.push_back(triangulation.is_boundary(h) ? 0 : -1);
+    }
+    const Traced traced(mapped);
+    EXPECT_EQ(euler_characteristic(traced.layout), 1 - holes);
+    EXPECT_EQ(count_quadrants(traced.layout, 1, true), 4);
+    EXPECT_EQ(count_quadrants(traced.layout, 3, true), 4 * holes);
+    // All patches together cover the domain.
+    double area = 54, covered = 0;
+    for (std::size_t i = 1; i < polygons.size(); ++i)
+      area -= (polygons[i][1].x() - polygons[i][0].x()) * (polygons[i][2].y() - polygons[i][1].y());
+    for (const Quad_layout::Patch& patch : traced.layout.patches)
+      covered += traced.layout.arcs[std::size_t(patch.half_arcs[0] / 2)].length *
+                 traced.layout.arcs[std::size_t(patch.half_arcs[1] / 2)].length;
+    EXPECT_NEAR(covered, area, 1e-6);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
 #include <boost/property_map/property_map.hpp>
+#include <boost/unordered_map.hpp>
 
 #include <functional>
 #include <utility>
@@ -20,8 +21,10 @@ namespace Quadrille {
 struct Edge_frame_constraint {
   bool constrained = false; ///< otherwise the rest is ignored
   bool aligned = true;      ///< frames have one vector along the edge
-  double source_size = 0;   ///< element size at `source(halfedge(e, mesh), mesh)`, in the mesh's unit; 0 leaves it free
-  double target_size = 0;   ///< and at the target
+  /// Element sizes at the source and the target of `halfedge(e, mesh)`, for `e` as it stands in `edges(mesh)`, in the
+  /// mesh's unit; 0 leaves a size free.
+  double source_size = 0;
+  double target_size = 0;
 };
 
 /// The pair of gradients (du, dv) that a map should have on a face; sizes of elements are 1 / |du|, 1 / |dv|.
@@ -66,19 +69,22 @@ Odeco_field_result odeco_frame_field(const TriangleMesh& mesh, const VertexPoint
     const auto& p = get(points, v);
     coordinates.emplace_back(double(p.x()), double(p.y()));
   }
+  boost::unordered_map<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, int> halfedge_index;
+  for (std::size_t h = 0; h < index.halfedge_of.size(); ++h)
+    halfedge_index[index.halfedge_of[h]] = int(h);
+  // Which halfedge an edge descriptor stands for may depend on where it comes from, so they are taken from edges(mesh).
   std::vector<internal::Constrained_halfedge> constrained;
-  for (int h = 0; h < triangulation.number_of_halfedges(); ++h) {
-    if (triangulation.opposite(h) > h)
-      continue;
-    const auto descriptor = index.halfedge_of[std::size_t(h)];
-    const auto e = edge(descriptor, mesh);
-    const Edge_frame_constraint constraint = get(constraints, e);
+  const auto all_edges = edges(mesh);
+  for (auto e = all_edges.first; e != all_edges.second; ++e) {
+    const Edge_frame_constraint constraint = get(constraints, *e);
     if (!constraint.constrained)
       continue;
-    const bool forward = source(halfedge(e, mesh), mesh) == source(descriptor, mesh);
-    constrained.push_back({h, constraint.aligned,
-                           {forward ? constraint.source_size : constraint.target_size,
-                            forward ? constraint.target_size : constraint.source_size}});
+    const auto place = halfedge_index.find(halfedge(*e, mesh));
+    if (place != halfedge_index.end())
+      constrained.push_back({place->second, constraint.aligned, {constraint.source_size, constraint.target_size}});
+    else
+      constrained.push_back({halfedge_index.at(opposite(halfedge(*e, mesh), mesh)), constraint.aligned,
+                             {constraint.target_size, constraint.source_size}});
   }
   std::vector<Gradient_pair> chosen;
   Odeco_field_result result =

@@ -55,7 +55,7 @@ struct Quad_extraction_result {
   double area_change_relative = 0; ///< (sum of the patches' integer areas) / (sum of their map areas) - 1
 
   Quad_smoothing_report smoothing;
-  double layout_seconds = 0;
+  double layout_seconds = 0; ///< reading and checking the map included
   double quantization_seconds = 0;
   double mesh_seconds = 0; ///< grids, smoothing and checks
 };

@@ -8,6 +8,7 @@
 #include <Quadrille/Quad_layout.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -18,8 +19,9 @@ namespace Quadrille {
 /// An arc of length 0 merges its two nodes, a patch with one side of length 0 identifies its two other sides. What is
 /// merged into one node, a *cluster*, must be contractible, hold at most one critical node, meet the curves of the
 /// domain in one connected piece, and not join an interior singularity with a curve; arcs that are identified must not
-/// contain two arcs on curves, nor close up around a ring. Every border loop and closed feature keeps at least
-/// `min_loop_edges` edges. Then the collapse preserves the surface, its border, its curves and all valences.
+/// contain two arcs on curves, nor close up around a ring. Every border loop, closed feature, and pair of curves with
+/// the same ends keeps at least `min_loop_edges` edges. Then the collapse preserves the surface, its border, its curves
+/// and all valences.
 ///
 /// A quantizer fixes the strips one after another, in any order.
 class Strip_constraints {
@@ -128,14 +130,25 @@ private:
         }
         add_loop(arcs);
       }
+    // Closed chains, and pairs of chains with the same ends.
+    std::map<std::pair<int, int>, std::vector<int>> arcs_between;
     for (const Quad_layout::Curve_chain& chain : m_layout->chains) {
-      const bool closed = m_layout->source(chain.half_arcs.front()) == m_layout->target(chain.half_arcs.back());
-      if (closed && !internal::extraction::at(m_layout->arcs, chain.half_arcs.front() / 2).border) {
-        std::vector<int> arcs;
-        for (const int h : chain.half_arcs)
-          arcs.push_back(h / 2);
+      const std::pair<int, int> ends =
+          std::minmax(m_layout->source(chain.half_arcs.front()), m_layout->target(chain.half_arcs.back()));
+      std::vector<int> arcs;
+      for (const int h : chain.half_arcs)
+        arcs.push_back(h / 2);
+      if (ends.first == ends.second) {
         add_loop(arcs);
+        continue;
       }
+      const auto [other, is_first] = arcs_between.emplace(ends, arcs);
+      if (is_first)
+        continue;
+      std::vector<int> both = other->second;
+      both.insert(both.end(), arcs.begin(), arcs.end());
+      add_loop(both);
+      other->second = arcs;
     }
   }
 

@@ -1,5 +1,5 @@
-/// Readable property map: an exactly seamless map of a triangulation, (u, v) per corner. What `Quadrille::extract_quads`
-/// reads; where the map comes from does not matter.
+/// Readable property map: an exactly seamless map of a triangulation, (u, v) per corner. What
+/// `Quadrille::extract_quads` reads; where the map comes from does not matter.
 ///
 /// The value of halfedge `h` is that of the corner at `target(h)` in `face(h)`; border halfedges are never asked for.
 /// Exactly, as stored doubles:
@@ -7,7 +7,8 @@
 /// - for the corner values (a, b) of an edge in one of its faces and (a', b') in the other there is a quarter turn R^k,
 ///   R (x, y) = (-y, x), such that b' - a' = R^k (b - a);
 /// - u or v is constant along every edge that lies on a curve of the domain;
-/// - all values are multiples of one power of two, and the largest has at most 50 bits above it, so that differences and
+/// - all values are multiples of one power of two, and the largest has at most 50 bits above it, so that differences
+/// and
 ///   the sums met in tracing are exact;
 /// - every triangle is positively oriented.
 ///

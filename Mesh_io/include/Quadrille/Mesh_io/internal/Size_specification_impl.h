@@ -127,7 +127,8 @@ public:
 private:
   void set(Planar_domain::halfedge_descriptor h, double at_source, double at_target)
   {
-    const auto e = m_domain.mesh.edge(h);
+    // The halfedge of `mesh.edge(h)` is `h`; sizes follow those of the edges as `mesh.edges()` has them.
+    const Planar_domain::edge_descriptor e(m_domain.mesh.edge(h).idx());
     std::array<double, 2>& size = m_sizes.of_edge[std::size_t(e.idx())];
     size = {at_source, at_target};
     if (m_domain.mesh.halfedge(e) != h)

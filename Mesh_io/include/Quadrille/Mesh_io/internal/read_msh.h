@@ -24,8 +24,8 @@ public:
   {
     // Gmsh takes a file without the header for a script, and fills up what a truncated one lacks.
     const std::string text = read_whole_file(m_path);
-    if (text.rfind("$MeshFormat", 0) != 0 && text.find("\n$MeshFormat") == std::string::npos)
-      fail("this is not a Gmsh mesh (there is no $MeshFormat)");
+    if (text.rfind("$MeshFormat", 0) != 0 && text.rfind("$Comments", 0) != 0)
+      fail("this is not a Gmsh mesh (it does not begin with $MeshFormat)");
     for (const char* end : {"$EndNodes", "$EndElements"})
       if (text.find(end) == std::string::npos)
         fail(std::string("the file is truncated: there is no ") + end);

@@ -51,7 +51,8 @@ inline Planar_domain read_geometry_domain(const std::string& path, const Planar_
   for (std::size_t l = 0; l < result.mesh.lines.size(); ++l) {
     const auto h = domain.mesh.halfedge(vertex_of[std::size_t(result.mesh.lines[l][0])],
                                         vertex_of[std::size_t(result.mesh.lines[l][1])]);
-    const auto e = domain.mesh.edge(h);
+    // Not `mesh.edge(h)`, whose halfedge is `h`: tangents follow the halfedges of the edges as `mesh.edges()` has them.
+    const Planar_domain::edge_descriptor e(domain.mesh.edge(h).idx());
     const std::array<double, 4>& t = result.line_tangents[l];
     domain.edge_tangents[std::size_t(e.idx())] =
         domain.mesh.halfedge(e) == h ? t : std::array<double, 4>{-t[2], -t[3], -t[0], -t[1]};

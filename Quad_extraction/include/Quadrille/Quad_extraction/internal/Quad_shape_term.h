@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -84,22 +85,29 @@ public:
     }
   }
 
+  /// The least determinant of the corners of quad `q`.
+  double min_determinant(std::size_t q, const Eigen::VectorXd& x) const
+  {
+    std::array<Point, 4> p;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int v = m_quads->quads[q][i];
+      const int first = at(m_first, v);
+      p[i] = at(m_motion, v) == Motion::free       ? Point(x.segment<2>(first))
+             : at(m_motion, v) == Motion::on_curve ? on_curve(v, x[first]).first
+                                                   : Point(at(m_quads->points, v) / m_unit);
+    }
+    double least = corner(q, 0, p).determinant();
+    for (std::size_t i = 1; i < 4; ++i)
+      least = std::min(least, corner(q, i, p).determinant());
+    return least;
+  }
+
   /// The least determinant of all corners.
   double min_determinant(const Eigen::VectorXd& x) const
   {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t q = 0; q < number_of_elements(); ++q) {
-      std::array<Point, 4> p;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const int v = m_quads->quads[q][i];
-        const int first = at(m_first, v);
-        p[i] = at(m_motion, v) == Motion::free       ? Point(x.segment<2>(first))
-               : at(m_motion, v) == Motion::on_curve ? on_curve(v, x[first]).first
-                                                     : Point(at(m_quads->points, v) / m_unit);
-      }
-      for (std::size_t i = 0; i < 4; ++i)
-        least = std::min(least, corner(q, i, p).determinant());
-    }
+    for (std::size_t q = 0; q < number_of_elements(); ++q)
+      least = std::min(least, min_determinant(q, x));
     return least;
   }
 

@@ -94,47 +94,117 @@ private:
       target = {factor * target[0], factor * target[1]};
   }
 
-  void optimize(std::vector<Motion> motion, int max_iterations)
+  void optimize(const std::vector<Motion>& motion, int max_iterations)
   {
-    Quad_shape_term term(m_quads, std::move(motion), m_unit, m_options.size_weight, m_options.angle_weight);
+    if (!untangle(motion))
+      return;
+    Quad_shape_term term(m_quads, motion, m_unit, m_options.size_weight, m_options.angle_weight);
     if (term.number_of_unknowns() == 0)
       return;
     Eigen::VectorXd x = term.unknowns();
     Element_least_squares<Quad_shape_term> problem(term, std::size_t(term.number_of_unknowns()), m_options.threads);
-    untangle(term, problem, x);
-    Levenberg_marquardt_options options;
-    options.observer = m_options.observer;
-    options.stage = "mesh";
+    Levenberg_marquardt_options options = minimizer_options();
     options.relative_decrease = m_options.relative_decrease;
-    if (term.min_determinant(x) > 0) {
-      term.set_eps(0);
-      options.max_iterations = max_iterations;
-      const Minimization_report report = minimize_levenberg_marquardt(problem, x, options);
-      m_report.iterations += report.iterations;
-      m_report.energy = report.energy;
-    }
+    options.max_iterations = max_iterations;
+    const Minimization_report report = minimize_levenberg_marquardt(problem, x, options);
+    m_report.iterations += report.iterations;
+    m_report.energy = report.energy;
     term.store(x, m_quads);
   }
 
-  /// Lowers eps by the rule of Garanzha et al. (2021, Section 3) until all corners are positive.
-  void untangle(Quad_shape_term& term, Element_least_squares<Quad_shape_term>& problem, Eigen::VectorXd& x)
+  Levenberg_marquardt_options minimizer_options() const
   {
     Levenberg_marquardt_options options;
     options.observer = m_options.observer;
     options.stage = "mesh";
+    return options;
+  }
+
+  /// Makes all corners positive, if need be, by moving only vertices near inverted quads, in growing neighbourhoods:
+  /// there the few inverted quads dominate the energy. Returns false, and moves nothing, if that does not help.
+  bool untangle(const std::vector<Motion>& motion)
+  {
+    for (int rings = 3;; rings *= 2) {
+      Indexed_quads local = m_quads;
+      const bool everything = select_around_inverted(motion, rings, local);
+      if (local.quads.empty() || untangle(local, motion_inside(local, motion)))
+        return true;
+      if (everything)
+        return false;
+    }
+  }
+
+  /// Leaves the quads within `rings` rings around those with corners that are not positive. Returns whether this is
+  /// all.
+  bool select_around_inverted(const std::vector<Motion>& motion, int rings, Indexed_quads& local) const
+  {
+    const Quad_shape_term term(m_quads, motion, m_unit, 1, 0);
+    const Eigen::VectorXd x = term.unknowns();
+    std::vector<char> selected(m_quads.quads.size(), 0);
+    for (std::size_t q = 0; q < selected.size(); ++q)
+      selected[q] = term.min_determinant(q, x) > 0 ? 0 : 1;
+    for (int ring = 0; ring < rings; ++ring) {
+      std::vector<char> touched(m_quads.vertices.size(), 0);
+      for (std::size_t q = 0; q < selected.size(); ++q)
+        if (selected[q])
+          for (const int v : m_quads.quads[q])
+            at(touched, v) = 1;
+      for (std::size_t q = 0; q < selected.size(); ++q)
+        for (const int v : m_quads.quads[q])
+          selected[q] = selected[q] || at(touched, v) ? 1 : 0;
+    }
+    local.quads.clear();
+    local.target.clear();
+    for (std::size_t q = 0; q < selected.size(); ++q)
+      if (selected[q]) {
+        local.quads.push_back(m_quads.quads[q]);
+        local.target.push_back(m_quads.target[q]);
+      }
+    return local.quads.size() == m_quads.quads.size();
+  }
+
+  /// Vertices that have quads outside `local` are kept.
+  std::vector<Motion> motion_inside(const Indexed_quads& local, std::vector<Motion> motion) const
+  {
+    std::vector<int> quads_elsewhere(motion.size(), 0);
+    for (const auto& quad : m_quads.quads)
+      for (const int v : quad)
+        ++at(quads_elsewhere, v);
+    for (const auto& quad : local.quads)
+      for (const int v : quad)
+        --at(quads_elsewhere, v);
+    for (std::size_t v = 0; v < motion.size(); ++v)
+      if (quads_elsewhere[v] > 0)
+        motion[v] = Motion::fixed;
+    return motion;
+  }
+
+  /// Lowers eps by the rule of Garanzha et al. (2021, Section 3) until all corners of `local` are positive.
+  bool untangle(const Indexed_quads& local, const std::vector<Motion>& motion)
+  {
+    Quad_shape_term term(local, motion, m_unit, m_options.size_weight, m_options.angle_weight);
+    if (term.number_of_unknowns() == 0)
+      return false;
+    Eigen::VectorXd x = term.unknowns();
+    Element_least_squares<Quad_shape_term> problem(term, std::size_t(term.number_of_unknowns()), m_options.threads);
+    Levenberg_marquardt_options options = minimizer_options();
     options.max_iterations = m_options.untangling_iterations;
-    options.relative_decrease = 1e-3;
-    double least = term.min_determinant(x);
+    options.relative_decrease = 1e-4;
     double eps = 1;
-    for (int i = 0; i < m_options.untangling_rounds && !(least > 0); ++i) {
+    for (int i = 0; i < m_options.untangling_rounds; ++i) {
       term.set_eps(eps);
       const Minimization_report report = minimize_levenberg_marquardt(problem, x, options);
       m_report.untangling_iterations += report.iterations;
-      least = term.min_determinant(x);
+      const double least = term.min_determinant(x);
+      if (least > 0) {
+        term.store(x, m_quads);
+        return true;
+      }
       const double decrease = std::max(1 - report.energy / report.initial_energy, 0.1);
       const double root = std::sqrt(least * least + eps * eps);
-      eps *= least >= 0 ? 1 - decrease : 1 - decrease * root / (std::abs(least) + root);
+      eps *= 1 - decrease * root / (std::abs(least) + root);
     }
+    return false;
   }
 
   /// Moves vertices one after another, each only if its quads keep positive corners.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -181,12 +182,11 @@ private:
         if (x == 0)
           continue;
         int exponent = 0;
-        double mantissa = std::frexp(x, &exponent);
+        constexpr int digits = std::numeric_limits<double>::digits;
+        auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), digits));
         highest = std::max(highest, exponent);
-        while (mantissa != std::floor(mantissa)) {
-          mantissa *= 2;
-          --exponent;
-        }
+        for (exponent -= digits; mantissa % 2 == 0; mantissa /= 2)
+          ++exponent;
         lowest = std::min(lowest, exponent);
       }
     if (lowest < highest && highest - lowest + headroom > std::numeric_limits<double>::digits)

@@ -119,7 +119,7 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
       result.arc_polylines.back().push_back({point.x(), point.y()});
     }
   }
-  result.layout_seconds = timer.lap();
+  result.layout_seconds += timer.lap();
 
   Quad_smoothing_options smoothing = options.smoothing;
   smoothing.threads = options.threads;

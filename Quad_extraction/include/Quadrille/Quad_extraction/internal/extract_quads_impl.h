@@ -47,6 +47,7 @@ Quad_extraction_result extract_quads(const TriangleMesh& mesh, VertexPointMap po
                                      const CurveProjector& project)
 {
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  internal::extraction::Lap_timer timer;
   const internal::Mesh_index<TriangleMesh> index(mesh);
   std::vector<internal::extraction::Uv> uv;
   std::vector<int> curve;
@@ -67,6 +68,7 @@ Quad_extraction_result extract_quads(const TriangleMesh& mesh, VertexPointMap po
     return {CGAL::to_double(projected.x()), CGAL::to_double(projected.y())};
   };
   Quad_extraction_result result;
+  result.layout_seconds = timer.lap();
   const internal::extraction::Indexed_quads indexed =
       internal::extraction::extract_indexed_quads(map, positions, options, quantizer, project_point, result);
   internal::extraction::add_quads(indexed, quads);
