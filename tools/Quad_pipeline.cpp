@@ -96,6 +96,9 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
         result.gradients = candidates[start].gradients;
       result.map = integrate(domain, result.gradients, map_options, result.corner_uv);
       result.field->chosen = int(start);
+      result.field->energy = result.field->starts[start].energy;
+      result.field->energy_lie = result.field->starts[start].energy_lie;
+      result.field->energy_odeco = result.field->energy - result.field->energy_lie;
       result.quads.clear();
       result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv),
                                         domain.chain_map(), domain.region_map(), result.quads, extraction_options,

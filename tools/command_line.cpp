@@ -46,7 +46,8 @@ Checks that MESH (.msh .vtk .obj .off) is a valid mesh of quads and measures its
 po::options_description quad_options()
 {
   po::options_description options("Options", 100);
-  options.add_options()("output,o", po::value<Strings>()->value_name("OUT"), "the mesh to write");
+  options.add_options()("output,o", po::value<Strings>()->value_name("OUT"),
+                        "the mesh to write; repeatable, for several formats");
   options.add_options()("size", po::value<Strings>()->value_name("SIZE"),
                         "element size, repeatable: S everywhere, NAME=S on a physical group or curve tag, "
                         "NAME=A:B linear along it, NAME=NxT normal x tangential");
@@ -144,8 +145,8 @@ Quad_arguments quad_arguments(const Parsed_options& options)
 {
   Quad_arguments result;
   result.input = options.input("input file");
-  result.output = options.one("output");
-  if (result.output.empty())
+  result.outputs = options.all("output");
+  if (result.outputs.empty())
     throw Invalid_argument_error("no output file is given; use -o OUT");
   result.field = options.one("field");
   result.map = options.one("map");

@@ -29,7 +29,8 @@ using Json = nlohmann::ordered_json;
 /// Finds out at once, not after the computation, that an output file cannot be written.
 void check_outputs(const Quad_arguments& arguments)
 {
-  mesh_file_format(arguments.output);
+  for (const std::string& output : arguments.outputs)
+    mesh_file_format(output);
   if (!arguments.picture.empty())
     check_picture_name(arguments.picture);
   const auto check_ending = [](const std::string& path, const std::string& ending) {
@@ -39,8 +40,9 @@ void check_outputs(const Quad_arguments& arguments)
   check_ending(arguments.field, ".vtu");
   check_ending(arguments.map, ".obj");
   std::set<std::string> names{arguments.input};
-  for (const std::string& path :
-       {arguments.output, arguments.field, arguments.map, arguments.picture, arguments.json}) {
+  std::vector<std::string> paths = arguments.outputs;
+  paths.insert(paths.end(), {arguments.field, arguments.map, arguments.picture, arguments.json});
+  for (const std::string& path : paths) {
     if (path.empty())
       continue;
     if (!names.insert(path).second)
@@ -130,7 +132,8 @@ private:
 
   void write()
   {
-    write_mesh(m_arguments.output, m_mesh);
+    for (const std::string& output : m_arguments.outputs)
+      write_mesh(output, m_mesh);
     if (!m_arguments.field.empty()) {
       const Frames frames = frames_of(m_domain, m_result);
       write_frame_field(m_arguments.field, m_domain, frames.u, frames.v, frames.valence);
@@ -176,7 +179,7 @@ private:
     m_console.print(line.str());
     line.str("");
     const Mesh_quality& quality = m_mesh_summary->quality;
-    line << m_arguments.output << ": " << m_mesh_summary->quads << " quads, scaled Jacobian min "
+    line << m_arguments.outputs.front() << ": " << m_mesh_summary->quads << " quads, scaled Jacobian min "
          << quality.scaled_jacobian_min << " mean " << quality.scaled_jacobian_mean << ", skew mean "
          << quality.skew_mean << " max " << quality.skew_max << " degrees";
     if (m_mesh_summary->size_error)

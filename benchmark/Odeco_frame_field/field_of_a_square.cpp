@@ -18,7 +18,8 @@ static void solve(benchmark::State& state, int starts, Quadrille::Field_solver_k
 {
   const auto n = Mesh::size_type(state.range(0));
   Mesh mesh;
-  CGAL::make_grid(n, n, mesh, [](auto i, auto j) { return Kernel::Point_2(double(i), double(j)); }, true);
+  CGAL::make_grid(
+      n, n, mesh, [](auto i, auto j) { return Kernel::Point_2(double(i), double(j)); }, true);
   auto constraint = mesh.add_property_map<Mesh::Edge_index, Quadrille::Edge_frame_constraint>("e:frame").first;
   const auto size = [&](Mesh::Vertex_index v) { return 1 + mesh.point(v).y() / n; };
   for (const Mesh::Edge_index e : mesh.edges())

@@ -18,7 +18,8 @@ int main()
 {
   const int n = 24;
   Mesh mesh;
-  CGAL::make_grid(n, n, mesh, [](unsigned i, unsigned j) { return Kernel::Point_2(i, j); }, true);
+  CGAL::make_grid(
+      n, n, mesh, [](unsigned i, unsigned j) { return Kernel::Point_2(i, j); }, true);
 
   // Frames along the boundary, with element sizes from 1 (bottom) to 2 (top).
   auto constraint = mesh.add_property_map<Mesh::Edge_index, Quadrille::Edge_frame_constraint>("e:frame").first;

@@ -28,8 +28,8 @@ Eigen::VectorXd sample(const Field_elements<N>& elements, const Triangles& trian
 {
   Eigen::VectorXd x(Eigen::Index(elements.number_of_unknowns()));
   for (std::size_t v = 0; v < triangles.points.size(); ++v)
-    elements.assign_coefficients(
-        v, Tensor_coefficients<N>::from_harmonics(odeco_harmonics(frame(triangles.points[v]))), x);
+    elements.assign_coefficients(v, Tensor_coefficients<N>::from_harmonics(odeco_harmonics(frame(triangles.points[v]))),
+                                 x);
   return x;
 }
 
@@ -120,9 +120,8 @@ TEST(Lie_energy, vanishes_with_refinement_on_integrable_fields)
   };
   double last_polar = 1e300, last_graded = 1e300;
   for (const int n : {8, 16, 32}) {
-    const Triangles sector = grid(n, n, [](double s, double t) {
-      return Eigen::Vector2d((1 + s) * std::cos(t), (1 + s) * std::sin(t));
-    });
+    const Triangles sector =
+        grid(n, n, [](double s, double t) { return Eigen::Vector2d((1 + s) * std::cos(t), (1 + s) * std::sin(t)); });
     const double polar_energy = lie_energy<3>(sector, polar);
     EXPECT_LT(polar_energy, last_polar / 3); // first order in the gradient, so second order in the energy
     last_polar = polar_energy;
@@ -130,9 +129,11 @@ TEST(Lie_energy, vanishes_with_refinement_on_integrable_fields)
     last_graded = lie_energy<5>(square(n, 1), graded);
     EXPECT_LT(last_graded, 1e-20);
   }
-  EXPECT_GT(lie_energy<3>(square(16, 1), [](const Eigen::Vector2d& p) {
-              return Orthogonal_frame_2{Eigen::Vector2d::UnitX(), 1 + p.x(), 1 + p.x()};
-            }), 0.1);
+  EXPECT_GT(lie_energy<3>(square(16, 1),
+                          [](const Eigen::Vector2d& p) {
+                            return Orthogonal_frame_2{Eigen::Vector2d::UnitX(), 1 + p.x(), 1 + p.x()};
+                          }),
+            0.1);
 }
 
 TEST(Lie_energy, does_not_depend_on_sizes_scale_or_turn)

@@ -50,7 +50,8 @@ Odeco_field_options quick(int starts)
 TEST(Odeco_frame_field, finds_the_constant_field_of_a_rectangle)
 {
   const Mesh mesh = square(8, 3).surface_mesh();
-  const Field field = boundary_field(mesh, [](const auto&) { return 0.5; }, quick(1));
+  const Field field = boundary_field(
+      mesh, [](const auto&) { return 0.5; }, quick(1));
   EXPECT_LT(field.result.energy, 1e-12);
   for (const auto& [du, dv] : field.gradients) {
     EXPECT_NEAR(du.norm(), 2, 1e-6);
@@ -190,7 +191,11 @@ TEST(Odeco_frame_field, moves_turns_and_scales_with_the_domain)
   // The energy chooses the relaxed field, so ask for a melted one, which amplifies every difference.
   const Field_evaluator melted = [](std::size_t start, const std::vector<Gradient_pair>&) { return -double(start); };
   const Field plain = boundary_field(
-      triangles.surface_mesh(), [&](const auto& p) { return size({p.x(), p.y()}); }, quick(1), melted);
+      triangles.surface_mesh(),
+      [&](const auto& p) {
+        return size({p.x(), p.y()});
+      },
+      quick(1), melted);
   for (const double scale : {1e8, 1e-8}) {
     const Eigen::Rotation2Dd turn(0.3);
     Triangles moved = triangles;
@@ -215,8 +220,12 @@ TEST(Odeco_frame_field, corners_far_from_right_angles_are_left_free)
   const Mesh mesh = grid(10, 10, [](double s, double t) {
                       return Eigen::Vector2d(s + t * std::sqrt(0.5), t * std::sqrt(0.5));
                     }).surface_mesh();
-  EXPECT_EQ(boundary_field(mesh, [](const auto&) { return 0.1; }, quick(0)).result.free_corners, 4);
-  EXPECT_EQ(boundary_field(square(10, 1).surface_mesh(), [](const auto&) { return 0.1; }, quick(0))
+  EXPECT_EQ(boundary_field(
+                mesh, [](const auto&) { return 0.1; }, quick(0))
+                .result.free_corners,
+            4);
+  EXPECT_EQ(boundary_field(
+                square(10, 1).surface_mesh(), [](const auto&) { return 0.1; }, quick(0))
                 .result.free_corners,
             0);
 }
@@ -238,19 +247,26 @@ TEST(Odeco_frame_field, lbfgs_reference_reaches_the_same_minimum)
 TEST(Odeco_frame_field, rejects_what_it_cannot_use)
 {
   const Mesh mesh = square(2, 1).surface_mesh();
-  EXPECT_THROW(boundary_field(mesh, [](const auto&) { return -1; }, quick(0)), Invalid_argument_error);
-  EXPECT_THROW(boundary_field(mesh, [](const auto&) { return std::nan(""); }, quick(0)), Invalid_argument_error);
-  EXPECT_THROW(boundary_field(mesh, [](const auto&) { return 1; }, quick(-1)), Invalid_argument_error);
+  EXPECT_THROW(boundary_field(
+                   mesh, [](const auto&) { return -1; }, quick(0)),
+               Invalid_argument_error);
+  EXPECT_THROW(boundary_field(
+                   mesh, [](const auto&) { return std::nan(""); }, quick(0)),
+               Invalid_argument_error);
+  EXPECT_THROW(boundary_field(
+                   mesh, [](const auto&) { return 1; }, quick(-1)),
+               Invalid_argument_error);
   Triangles clockwise = square(2, 1);
   for (Eigen::Vector2d& p : clockwise.points)
     p.x() = -p.x();
-  EXPECT_THROW(boundary_field(clockwise.surface_mesh(), [](const auto&) { return 1; }, quick(0)), Invalid_input_error);
+  EXPECT_THROW(boundary_field(
+                   clockwise.surface_mesh(), [](const auto&) { return 1; }, quick(0)),
+               Invalid_input_error);
   std::vector<Edge_frame_constraint> none(mesh.number_of_edges());
   std::vector<Gradient_pair> gradients(mesh.number_of_faces());
-  EXPECT_THROW(odeco_frame_field(
-                   mesh, mesh.points(),
-                   boost::make_iterator_property_map(none.begin(), boost::identity_property_map()),
-                   boost::make_iterator_property_map(gradients.begin(), boost::identity_property_map())),
+  EXPECT_THROW(odeco_frame_field(mesh, mesh.points(),
+                                 boost::make_iterator_property_map(none.begin(), boost::identity_property_map()),
+                                 boost::make_iterator_property_map(gradients.begin(), boost::identity_property_map())),
                Invalid_input_error);
 }
 

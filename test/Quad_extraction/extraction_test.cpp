@@ -238,6 +238,27 @@ TEST(Extract_quads, projector_takes_vertices_to_the_true_curve)
   EXPECT_GT(guarded.result.smoothing.unprojected_vertices, 0);
 }
 
+TEST(Extract_quads, reports_corners_that_the_map_makes_too_narrow)
+{
+  // Three quarters of a diamond around vertex 0; the map, a square, has one right angle there.
+  Mapped_mesh mesh;
+  mesh.points = {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+  const std::vector<Point> uv = {{0, 0}, {4, 0}, {4, 2}, {4, 4}, {0, 4}};
+  mesh.curve = {0, 0, -1, -1, 0, -1, -1, 0, 0};
+  mesh.region = {0, 0, 0};
+  for (const auto& triangle : mesh.triangles)
+    for (const int v : triangle)
+      mesh.corner_uv.push_back(uv[std::size_t(v)]);
+  try {
+    extract(mesh);
+    FAIL() << "no error";
+  } catch (const Quadrille::No_result_error& error) {
+    EXPECT_EQ(error.stage(), "map");
+    EXPECT_NE(std::string(error.what()).find("270 degrees, at vertex 0"), std::string::npos);
+  }
+}
+
 TEST(Extract_quads, refuses_too_many_quads)
 {
   Glued_rectangles domain = cell_grid(1, 1);

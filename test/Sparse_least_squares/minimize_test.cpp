@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <Quadrille/check_jacobian.h>
 #include <Quadrille/Element_least_squares.h>
+#include <Quadrille/check_jacobian.h>
 #include <Quadrille/minimize_lbfgs.h>
 #include <Quadrille/minimize_least_squares.h>
 

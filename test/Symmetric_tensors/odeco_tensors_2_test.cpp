@@ -18,7 +18,10 @@ const double pi = std::acos(-1.0);
 class Random {
 public:
   double operator()(double low, double high) { return std::uniform_real_distribution<double>(low, high)(m_engine); }
-  Circular_harmonics harmonics() { return Circular_harmonics::NullaryExpr([&](Eigen::Index) { return (*this)(-1, 1); }); }
+  Circular_harmonics harmonics()
+  {
+    return Circular_harmonics::NullaryExpr([&](Eigen::Index) { return (*this)(-1, 1); });
+  }
   Orthogonal_frame_2 frame()
   {
     const double t = (*this)(-pi, pi);
@@ -40,7 +43,8 @@ TEST(Symmetric_tensor_2, harmonics_are_the_fourier_coefficients_of_the_polynomia
     EXPECT_LT((T.harmonics() - q).norm(), 1e-14);
     const double t = random(0, 2 * pi);
     const double series = q[0] / std::sqrt(2 * pi) + (std::cos(2 * t) * q[1] + std::sin(2 * t) * q[2] +
-                                                      std::cos(4 * t) * q[3] + std::sin(4 * t) * q[4]) / std::sqrt(pi);
+                                                      std::cos(4 * t) * q[3] + std::sin(4 * t) * q[4]) /
+                                                         std::sqrt(pi);
     EXPECT_NEAR(T(unit(t)), series, 1e-13);
     // The polynomial written out with all sixteen components.
     double sum = 0;
@@ -84,7 +88,9 @@ TEST(Symmetric_tensor_2, rotation_turns_the_polynomial)
     EXPECT_NEAR(T.rotated(angle)(unit(t + angle)), T(unit(t)), 1e-13);
   const Eigen::Vector2d w(1, 2);
   EXPECT_LT((Symmetric_tensor_2::power(w).rotated(angle).entries() -
-             Symmetric_tensor_2::power(Eigen::Rotation2Dd(angle) * w).entries()).norm(), 1e-12);
+             Symmetric_tensor_2::power(Eigen::Rotation2Dd(angle) * w).entries())
+                .norm(),
+            1e-12);
 }
 
 // Robeva: T is odeco exactly if (T*T)_abcdef = T_abcs T_defs is symmetric in all six indices; planar-2, eq. (14).

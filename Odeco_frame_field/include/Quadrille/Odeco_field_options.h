@@ -20,22 +20,22 @@ enum class Field_solver_kind {
 
 /// How melting and freezing places singularities. Epsilons are in units of the local triangle size.
 struct Melt_and_freeze_schedule {
-  double smooth_epsilon = 2;  ///< of the smooth start
-  double melt_epsilon = 20;   ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
-  double noise = 0.9;         ///< on every free coefficient, relative to q0; below about 0.5 nothing happens
-  int melt_steps = 15;        ///< Levenberg-Marquardt steps that take the noise out
-  int soft_iterations = 200;  ///< preconditioned L-BFGS iterations at the melting epsilon
-  double freeze_ratio = 1.5;  ///< between consecutive epsilons
-  int freeze_steps = 5;       ///< Levenberg-Marquardt steps per epsilon
-  double final_epsilon = 2;   ///< small: singularities are sharp, and cannot move any more
-  int final_steps = 40;       ///< at most
+  double smooth_epsilon = 2; ///< of the smooth start
+  double melt_epsilon = 20;  ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
+  double noise = 0.9;        ///< on every free coefficient, relative to q0; below about 0.5 nothing happens
+  int melt_steps = 15;       ///< Levenberg-Marquardt steps that take the noise out
+  int soft_iterations = 200; ///< preconditioned L-BFGS iterations at the melting epsilon
+  double freeze_ratio = 1.5; ///< between consecutive epsilons
+  int freeze_steps = 5;      ///< Levenberg-Marquardt steps per epsilon
+  double final_epsilon = 2;  ///< small: singularities are sharp, and cannot move any more
+  int final_steps = 40;      ///< at most
 };
 
 struct Odeco_field_options {
   Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
-  int starts = 8;             ///< number of melted candidates; 0 only relaxes the smooth field
-  std::uint64_t seed = 1;     ///< of the noise; equal seeds give equal fields
-  int threads = 0;            ///< 0: all cores
+  int starts = 8;         ///< number of melted candidates; 0 only relaxes the smooth field
+  std::uint64_t seed = 1; ///< of the noise; equal seeds give equal fields
+  int threads = 0;        ///< 0: all cores
   Melt_and_freeze_schedule schedule;
   const Progress_observer* observer = nullptr;
 };
@@ -49,10 +49,10 @@ struct Field_start {
   };
   Kind kind = Kind::smooth;
   std::uint64_t seed = 0;
-  bool valid = false;  ///< positive sizes everywhere
-  double energy = 0;   ///< E_integ at the final epsilon
+  bool valid = false;    ///< positive sizes everywhere
+  double energy = 0;     ///< E_integ at the final epsilon
   double energy_lie = 0; ///< its part E_Lie; planar-2, eq. (30)
-  double cost = 0;     ///< the evaluator's, or the energy without one
+  double cost = 0;       ///< the evaluator's, or the energy without one
   int iterations = 0;
   double seconds = 0;
 };

@@ -35,12 +35,13 @@ using Gradient_pair = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 using Field_evaluator = std::function<double(std::size_t start, const std::vector<Gradient_pair>&)>;
 
 /// Computes an integrable orthogonal frame field on a planar triangle mesh that has the sizes and directions prescribed
-/// on constrained edges (Couplet, Chemin, Remacle: Size-Controlled Quadrilateral Meshing using Integrable Odeco Fields).
+/// on constrained edges (Couplet, Chemin, Remacle: Size-Controlled Quadrilateral Meshing using Integrable Odeco
+/// Fields).
 ///
-/// Several candidates are computed: the smooth field relaxed to an integrable one, and `options.starts` fields by melting
-/// and freezing, which places the singularities that the sizes need. `evaluator` chooses among them; without one the
-/// lowest energy does (energies are comparable only between equal numbers of singularities, so a map-based evaluator
-/// is better).
+/// Several candidates are computed: the smooth field relaxed to an integrable one, and `options.starts` fields by
+/// melting and freezing, which places the singularities that the sizes need. `evaluator` chooses among them; without
+/// one the lowest energy does (energies are comparable only between equal numbers of singularities, so a map-based
+/// evaluator is better).
 ///
 /// A vertex between constrained edges takes the bisector of their frames and the geometric mean of their sizes;
 /// corners more than 30 degrees off a multiple of 90 degrees are left free.
@@ -83,7 +84,8 @@ Odeco_field_result odeco_frame_field(const TriangleMesh& mesh, const VertexPoint
     if (place != halfedge_index.end())
       constrained.push_back({place->second, constraint.aligned, {constraint.source_size, constraint.target_size}});
     else
-      constrained.push_back({halfedge_index.at(opposite(halfedge(*e, mesh), mesh)), constraint.aligned,
+      constrained.push_back({halfedge_index.at(opposite(halfedge(*e, mesh), mesh)),
+                             constraint.aligned,
                              {constraint.target_size, constraint.source_size}});
   }
   std::vector<Gradient_pair> chosen;

@@ -41,7 +41,8 @@ struct No_curve_projector {
 ///
 /// \throws Invalid_input_error if the map is not exactly seamless, or not aligned with a curve (naming the halfedge:
 ///         halfedge 3 f + i leaves corner i of the f-th face), or an edge lacks a curve.
-/// \throws No_result_error "map" for a flipped triangle, "layout" for a separatrix that does not end, "quantization" if
+/// \throws No_result_error "map" for a flipped triangle or too few right angles in a corner, "layout" for a separatrix
+/// that does not end, "quantization" if
 ///         the mesh would be too large, "mesh" if the quads cannot be made valid; nothing is added to `quads` then.
 ///
 /// Complexity: tracing is linear in the number of triangles that the separatrices cross, the rest about linear in the

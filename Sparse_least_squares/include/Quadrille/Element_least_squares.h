@@ -19,8 +19,8 @@ namespace Quadrille {
 
 /// A sum of squares over small elements, E(x) = 1/2 sum_e |r_e(x_e)|^2, with its gradient and Gauss-Newton matrix.
 ///
-/// `Term` is a model of the concept `LeastSquaresTerm` (doc/Sparse_least_squares/Concepts). The sparsity pattern and the
-/// place of every element entry in it are computed once; linearisations then write straight into the matrix values.
+/// `Term` is a model of the concept `LeastSquaresTerm` (doc/Sparse_least_squares/Concepts). The sparsity pattern and
+/// the place of every element entry in it are computed once; linearisations then write straight into the matrix values.
 /// Elements are evaluated in parallel and added in their own order, so results do not depend on the number of threads.
 /// One object serves one caller at a time (it holds scratch space, also in its const functions).
 /// Complexity: construction O(n log n), every evaluation linear in the number of elements.
@@ -74,10 +74,10 @@ private:
   const Term& m_term;
   std::size_t m_n;
   int m_threads;
-  std::vector<Indices> m_indices;      // of every element
-  std::vector<int> m_counts;           // how many of them are used
-  std::vector<std::size_t> m_first;    // of every element, its first entry in m_places
-  std::vector<int> m_places;           // positions in the matrix values, entry (i, j) of the lower triangle by rows
+  std::vector<Indices> m_indices;   // of every element
+  std::vector<int> m_counts;        // how many of them are used
+  std::vector<std::size_t> m_first; // of every element, its first entry in m_places
+  std::vector<int> m_places;        // positions in the matrix values, entry (i, j) of the lower triangle by rows
   mutable std::vector<Contribution, Eigen::aligned_allocator<Contribution>> m_buffer;
   Matrix m_matrix;
   Vector m_gradient;
@@ -175,7 +175,8 @@ double Element_least_squares<Term>::accumulate(const Vector& x, Detail detail, c
   double energy = 0;
   for (std::size_t begin = 0; begin < n; begin += block) {
     const std::size_t size = std::min(block, n - begin);
-    parallel_for(size, m_threads, [&](std::size_t i) { evaluate(begin + i, x, detail, m_buffer[i]); }, 128);
+    parallel_for(
+        size, m_threads, [&](std::size_t i) { evaluate(begin + i, x, detail, m_buffer[i]); }, 128);
     for (std::size_t i = 0; i < size; ++i) {
       energy += m_buffer[i].energy;
       if (!(energy < std::numeric_limits<double>::infinity()))
@@ -191,8 +192,7 @@ template <class Term> double Element_least_squares<Term>::energy(const Vector& x
   return accumulate(x, Detail::energy, [](std::size_t, const Contribution&) {});
 }
 
-template <class Term>
-double Element_least_squares<Term>::energy_and_gradient(const Vector& x, Vector& gradient) const
+template <class Term> double Element_least_squares<Term>::energy_and_gradient(const Vector& x, Vector& gradient) const
 {
   gradient.setZero(Eigen::Index(m_n));
   return accumulate(x, Detail::gradient, [&](std::size_t e, const Contribution& c) {

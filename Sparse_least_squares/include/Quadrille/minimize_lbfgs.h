@@ -16,7 +16,7 @@
 namespace Quadrille {
 
 struct Lbfgs_options {
-  int memory = 5;                  ///< pairs kept
+  int memory = 5; ///< pairs kept
   int max_iterations = 100000;
   double relative_decrease = 1e-6; ///< stop when one iteration lowers the energy by less than this fraction of it
   const Progress_observer* observer = nullptr;

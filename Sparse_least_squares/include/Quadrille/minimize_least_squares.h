@@ -13,10 +13,10 @@ namespace Quadrille {
 
 /// Why a minimisation stopped.
 enum class Minimization_status {
-  converged,      ///< the relative decrease (or the gradient) fell below the tolerance
-  iteration_limit,///< `max_iterations` were done
-  no_progress,    ///< no step along the computed directions lowers the energy any more
-  outside_domain  ///< the starting point is outside the energy's domain
+  converged,       ///< the relative decrease (or the gradient) fell below the tolerance
+  iteration_limit, ///< `max_iterations` were done
+  no_progress,     ///< no step along the computed directions lowers the energy any more
+  outside_domain   ///< the starting point is outside the energy's domain
 };
 
 /// What a minimisation did.
@@ -32,11 +32,12 @@ struct Minimization_report {
 };
 
 struct Levenberg_marquardt_options {
-  int max_iterations = 100;         ///< accepted steps
-  double relative_decrease = 1e-9;  ///< stop when a full step lowers the energy by less than this fraction of it
-  double initial_damping = 1e-3;    ///< times the diagonal of J^T J
+  int max_iterations = 100;        ///< accepted steps
+  double relative_decrease = 1e-9; ///< stop when a full step lowers the energy by less than this fraction of it
+  double negligible_energy = 0;    ///< stop as soon as the energy is not above this
+  double initial_damping = 1e-3;   ///< times the diagonal of J^T J
   const Progress_observer* observer = nullptr;
-  const char* stage = "";           ///< the stage's name told to the observer
+  const char* stage = ""; ///< the stage's name told to the observer
 };
 
 /// Minimises an `Element_least_squares` problem from `x` by Levenberg-Marquardt steps with Nielsen's damping rule.
@@ -50,11 +51,12 @@ Minimization_report minimize_levenberg_marquardt(Problem& problem, Eigen::Vector
 
 struct Preconditioned_lbfgs_options {
   int max_iterations = 200;
-  double relative_decrease = 1e-7;  ///< stop when `window` iterations together lower the energy by less than this
+  double relative_decrease = 1e-7; ///< stop when `window` iterations together lower the energy by less than this
   int window = 10;
-  int refresh = 12;                 ///< iterations between factorisations of the preconditioner
-  int memory = 12;                  ///< pairs kept
-  double damping = 1e-3;            ///< of the preconditioner, times the diagonal of J^T J
+  double negligible_energy = 0; ///< stop as soon as the energy is not above this
+  int refresh = 12;             ///< iterations between factorisations of the preconditioner
+  int memory = 12;              ///< pairs kept
+  double damping = 1e-3;        ///< of the preconditioner, times the diagonal of J^T J
   const Progress_observer* observer = nullptr;
   const char* stage = "";
 };

@@ -19,7 +19,7 @@ public:
   int element_unknowns(std::size_t e, std::array<int, max_unknowns>& index) const;
 
   /// The residuals of element `e` at the local unknowns `x`, and, unless `J` is null, their derivatives (columns beyond
-  /// the element's number of unknowns are ignored). Returns `false` if `x` is outside the domain of the energy; then `r`
-  /// and `J` are ignored. Called for different elements from different threads at the same time.
+  /// the element's number of unknowns are ignored). Returns `false` if `x` is outside the domain of the energy; then
+  /// `r` and `J` are ignored. Called for different elements from different threads at the same time.
   bool evaluate(std::size_t e, const Unknowns& x, Residuals& r, Jacobian* J) const;
 };

@@ -6,6 +6,7 @@
 
 #include <Quadrille/Mesh_io/internal/Gmsh_session.h>
 #include <Quadrille/Mesh_io/internal/Outline.h>
+#include <Quadrille/Mesh_io/internal/check_geo_script.h>
 #include <Quadrille/Mesh_io/internal/check_triangles.h>
 #include <Quadrille/Mesh_io/internal/files.h>
 #include <Quadrille/Mesh_io/internal/point_sizes.h>
@@ -71,6 +72,9 @@ private:
       fail("this is not an IGES file (column 73 of the first line is not 'S')");
     if (extension == ".geo" && beginning.find('\0') != std::string::npos)
       fail("this is not a text file");
+    if (extension == ".geo" && !is_complete_geo_script(read_whole_file(m_path)))
+      fail("the script ends within a statement, a comment or a block: it is truncated (or the last semicolon is "
+           "missing)");
   }
 
   void add_surfaces()

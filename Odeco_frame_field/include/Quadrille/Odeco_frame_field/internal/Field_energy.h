@@ -142,9 +142,9 @@ private:
       const Eigen::Matrix<double, 2, N> by_point =
           scale * (lie.by_value - lie.value / area * area_derivatives.transpose());
       for (int k = 0; k < 3; ++k)
-        J->template block<2, N>(2 * p, k * N) =
-            weight(p, k) * by_point + scale * element.gradient(0, k) * lie.by_derivative[0] +
-            scale * element.gradient(1, k) * lie.by_derivative[1];
+        J->template block<2, N>(2 * p, k * N) = weight(p, k) * by_point +
+                                                scale * element.gradient(0, k) * lie.by_derivative[0] +
+                                                scale * element.gradient(1, k) * lie.by_derivative[1];
     }
     return true;
   }

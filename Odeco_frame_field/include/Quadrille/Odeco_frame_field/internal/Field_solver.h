@@ -73,6 +73,7 @@ public:
     Preconditioned_lbfgs_options soft;
     soft.max_iterations = m_schedule.soft_iterations;
     soft.relative_decrease = 1e-4;
+    soft.negligible_energy = negligible_energy();
     soft.observer = m_observer;
     soft.stage = "field";
     if (x.size() > 0)
@@ -121,8 +122,10 @@ public:
   int iterations() const { return m_iterations; }
 
 private:
-  template <class Problem>
-  void minimize(Problem& problem, Eigen::VectorXd& x, Levenberg_marquardt_options options)
+  /// The energies have no unit; below this the frames are exact to about 1e-9.
+  double negligible_energy() const { return 1e-18 * double(m_elements.number_of_elements()); }
+
+  template <class Problem> void minimize(Problem& problem, Eigen::VectorXd& x, Levenberg_marquardt_options options)
   {
     if (x.size() == 0)
       return;
@@ -135,6 +138,7 @@ private:
       return;
     }
 #endif
+    options.negligible_energy = negligible_energy();
     options.observer = m_observer;
     options.stage = "field";
     m_iterations += minimize_levenberg_marquardt(problem, x, options, &m_solver).iterations;

@@ -120,7 +120,8 @@ inline std::vector<double> local_triangle_sizes(const Indexed_triangulation& mes
   return smoothed;
 }
 
-/// One frame per face from the mean of its corners' coefficients; planar-2, section 7.1. Empty if a size is not positive.
+/// One frame per face from the mean of its corners' coefficients; planar-2, section 7.1. Empty if a size is not
+/// positive.
 template <int N>
 std::vector<Orthogonal_frame_2> face_frames(const Field_elements<N>& elements, const Eigen::VectorXd& x)
 {
@@ -139,12 +140,10 @@ std::vector<Orthogonal_frame_2> face_frames(const Field_elements<N>& elements, c
 }
 
 /// The field on index arrays: see `odeco_frame_field`.
-inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
-                                             const std::vector<Eigen::Vector2d>& points,
-                                             const std::vector<Constrained_halfedge>& edges,
-                                             const Odeco_field_options& options,
-                                             const std::function<double(std::size_t, const Gradients&)>& evaluator,
-                                             Gradients& gradients)
+inline Odeco_field_result
+solve_planar_field(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
+                   const std::vector<Constrained_halfedge>& edges, const Odeco_field_options& options,
+                   const std::function<double(std::size_t, const Gradients&)>& evaluator, Gradients& gradients)
 {
   constexpr int N = 3;
   const Stopwatch stopwatch;
@@ -201,7 +200,9 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
     start.energy_lie = solver.lie_energy(fields[i]);
     const Gradients pairs = std::isfinite(start.energy) ? to_gradients(fields[i]) : Gradients();
     start.valid = !pairs.empty();
-    start.cost = !start.valid ? std::numeric_limits<double>::infinity() : evaluator ? evaluator(i, pairs) : start.energy;
+    start.cost = !start.valid ? std::numeric_limits<double>::infinity()
+                 : evaluator  ? evaluator(i, pairs)
+                              : start.energy;
     start.seconds = watch.seconds();
     result.starts[i] = start;
   };
@@ -236,7 +237,8 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
       1);
 
   for (std::size_t i = 0; i < n_starts; ++i) {
-    const bool better = result.chosen < 0 || result.starts[std::size_t(result.chosen)].kind == Field_start::Kind::smooth ||
+    const bool better = result.chosen < 0 ||
+                        result.starts[std::size_t(result.chosen)].kind == Field_start::Kind::smooth ||
                         result.starts[i].cost < result.starts[std::size_t(result.chosen)].cost;
     if (result.starts[i].valid && better)
       result.chosen = int(i);

@@ -65,7 +65,7 @@ template <int N> struct Tensor_coefficients {
         c[i] = values[i];
       const double root2 = std::sqrt(2.0);
       if (derivatives)
-        *derivatives << 2 * q[0], 0, 0, -36 * q[3], -36 * q[4], //
+        *derivatives << 2 * q[0], 0, 0, -36 * q[3], -36 * q[4],                     //
             root2 * q[1], root2 * q[0] - 6 * q[3], -6 * q[4], -6 * q[1], -6 * q[2], //
             root2 * q[2], -6 * q[4], root2 * q[0] + 6 * q[3], 6 * q[2], -6 * q[1];
     }
@@ -89,8 +89,8 @@ template <int N> struct Tensor_coefficients {
 /// The Lie bracket [u, v] of the frame vectors in terms of the coefficients, and its derivatives; planar-2, eq. (29).
 ///
 /// From the closed form of eq. (28): with entries t_0 ... t_4 of the tensor, [u, v]_i = sum over a in {0, 1},
-/// m in {0, ..., 3} of (-1)^(m + 1) binomial(3, m) t_{a + 3 - m} d_a t_{i + m}. (The paper's sign is the opposite, since
-/// there v is u turned by -90 degrees.) It is bilinear in the coefficients and their derivatives.
+/// m in {0, ..., 3} of (-1)^(m + 1) binomial(3, m) t_{a + 3 - m} d_a t_{i + m}. (The paper's sign is the opposite,
+/// since there v is u turned by -90 degrees.) It is bilinear in the coefficients and their derivatives.
 template <int N> struct Lie_bracket {
   using Coefficients = typename Tensor_coefficients<N>::Vector;
   using Derivatives = Eigen::Matrix<double, 2, N>;

@@ -45,6 +45,35 @@ inline std::vector<char> kinks(const Seamless_map& map, const std::vector<Eigen:
   return result;
 }
 
+/// A sector of k right angles in the map gets k quads, whose angles are below 180 degrees: so the sector must have less
+/// than k times 180 degrees in the plane. \throws No_result_error naming the vertex.
+inline void check_sector_angles(const Seamless_map& map, const std::vector<Eigen::Vector2d>& points)
+{
+  const Indexed_triangulation& mesh = map.mesh();
+  const double straight = std::acos(-1.0);
+  std::array<int, 2> axes = {};
+  for (int start = 0; start < mesh.number_of_halfedges(); ++start) {
+    if (!map.is_constrained(start))
+      continue;
+    double angle = 0;
+    int right_angles = 0;
+    int h = start;
+    do { // the corners up to the next curve
+      const Eigen::Vector2d& p = at(points, mesh.source(h));
+      const Eigen::Vector2d a = at(points, mesh.target(h)) - p;
+      const Eigen::Vector2d b = at(points, mesh.source(Indexed_triangulation::prev(h))) - p;
+      angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+      right_angles += map.corner_axes(h, axes);
+      h = mesh.next_around_source(h);
+    } while (h >= 0 && h != start && !map.is_constrained(h));
+    if (angle >= right_angles * straight)
+      throw No_result_error(
+          "map", "the map has " + std::to_string(right_angles) + " right angle(s) where the domain has " +
+                     std::to_string(static_cast<int>(std::lround(180 * angle / straight))) + " degrees, at vertex " +
+                     std::to_string(mesh.source(start)) + ": no quads with convex corners fit there");
+  }
+}
+
 /// Fixes all strips; a quantizer's answer that breaks the constraints is an error of its own.
 template <class Quantizer>
 std::vector<int> quantize(const Quad_layout& layout, const Quantizer& quantizer, int min_loop_edges,
@@ -107,6 +136,7 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
 {
   Lap_timer timer;
   report_progress(options, "layout", 0);
+  check_sector_angles(map, points);
   const std::size_t max_steps =
       options.max_trace_steps > 0 ? options.max_trace_steps : 4 * std::size_t(map.mesh().number_of_faces()) + 1000;
   result.layout = build_layout(map, kinks(map, points, options.kink_degrees), max_steps);

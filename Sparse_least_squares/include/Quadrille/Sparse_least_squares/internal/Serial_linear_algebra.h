@@ -17,7 +17,8 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 namespace Quadrille {
 namespace internal {
 
-/// While it lives, factorisations called by this thread stay on this thread, so that sums have one order on every machine.
+/// While it lives, factorisations called by this thread stay on this thread, so that sums have one order on every
+/// machine.
 ///
 /// CHOLMOD opens an OpenMP region for every few columns, whose waiting threads cost more than they do, above all when
 /// several solvers run at once; OpenBLAS splits large products. Both get back what they had before: OpenMP's setting

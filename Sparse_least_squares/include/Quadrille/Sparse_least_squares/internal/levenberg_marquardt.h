@@ -14,10 +14,7 @@ namespace internal {
 
 class Stopwatch {
 public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
 
 private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
@@ -84,6 +81,10 @@ Minimization_report minimize_levenberg_marquardt(Problem& problem, Eigen::Vector
   while (report.iterations < options.max_iterations) {
     if (options.observer)
       options.observer->report(options.stage, double(report.iterations) / options.max_iterations);
+    if (energy <= options.negligible_energy) {
+      report.status = Minimization_status::converged;
+      break;
+    }
     if (!(damping < 1e12)) {
       report.status = Minimization_status::no_progress;
       break;

@@ -99,6 +99,10 @@ Minimization_report minimize_preconditioned_lbfgs(Problem& problem, Eigen::Vecto
   while (report.iterations < options.max_iterations) {
     if (options.observer)
       options.observer->report(options.stage, double(report.iterations) / options.max_iterations);
+    if (energy <= options.negligible_energy) {
+      report.status = Minimization_status::converged;
+      break;
+    }
     if (since_refresh >= options.refresh) {
       if (!refresh_preconditioner()) {
         report.status = Minimization_status::no_progress;
@@ -132,8 +136,8 @@ Minimization_report minimize_preconditioned_lbfgs(Problem& problem, Eigen::Vecto
     }
     if (!found) {
       if (since_refresh == 0) {
-        report.status = energy > 0 && -slope <= 1e-12 * energy ? Minimization_status::converged
-                                                               : Minimization_status::no_progress;
+        report.status =
+            energy > 0 && -slope <= 1e-12 * energy ? Minimization_status::converged : Minimization_status::no_progress;
         break;
       }
       memory.clear();

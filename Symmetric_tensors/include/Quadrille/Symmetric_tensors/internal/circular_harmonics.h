@@ -16,11 +16,11 @@ inline Eigen::Matrix<double, 5, 5> make_entries_of_harmonics()
   // p(t) = a0 + a2 cos 2t + b2 sin 2t + a4 cos 4t + b4 sin 4t has the entries below; the columns are then scaled by
   // the norms of the basis functions.
   Eigen::Matrix<double, 5, 5> m;
-  m << 1, 1, 0, 1, 0,        // T1111 = a0 + a2 + a4
-      0, 0, 0.5, 0, 1,       // T1112 = b2 / 2 + b4
-      1. / 3, 0, 0, -1, 0,   // T1122 = a0 / 3 - a4
-      0, 0, 0.5, 0, -1,      // T1222 = b2 / 2 - b4
-      1, -1, 0, 1, 0;        // T2222 = a0 - a2 + a4
+  m << 1, 1, 0, 1, 0,      // T1111 = a0 + a2 + a4
+      0, 0, 0.5, 0, 1,     // T1112 = b2 / 2 + b4
+      1. / 3, 0, 0, -1, 0, // T1122 = a0 / 3 - a4
+      0, 0, 0.5, 0, -1,    // T1222 = b2 / 2 - b4
+      1, -1, 0, 1, 0;      // T2222 = a0 - a2 + a4
   m.col(0) /= std::sqrt(2 * pi);
   m.rightCols<4>() /= std::sqrt(pi);
   return m;

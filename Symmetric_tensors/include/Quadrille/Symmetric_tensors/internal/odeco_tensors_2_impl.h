@@ -66,8 +66,7 @@ inline Eigen::Vector3d odeco_residuals(const Circular_harmonics& q)
 {
   const double root2 = std::sqrt(2.0);
   return {q[0] * q[0] - 18 * (q[3] * q[3] + q[4] * q[4]), //
-          root2 * q[0] * q[1] - 6 * (q[1] * q[3] + q[2] * q[4]),
-          root2 * q[0] * q[2] - 6 * (q[1] * q[4] - q[2] * q[3])};
+          root2 * q[0] * q[1] - 6 * (q[1] * q[3] + q[2] * q[4]), root2 * q[0] * q[2] - 6 * (q[1] * q[4] - q[2] * q[3])};
 }
 
 inline double frame_area(const Circular_harmonics& q)
@@ -106,8 +105,8 @@ inline Orthogonal_frame_2 recover_frame(const Circular_harmonics& q)
 inline std::vector<std::pair<double, Eigen::Vector2d>> eigenpairs(const Symmetric_tensor_2& tensor)
 {
   using std::complex;
-  // p(t) = ... + Re(c2 exp(2it)) + Re(c4 exp(4it)) is stationary where Im(c2 z + 2 c4 z^2) = 0 on |z| = 1, z = exp(2it):
-  // 2 c4 z^4 + c2 z^3 - conj(c2) z - 2 conj(c4) = 0.
+  // p(t) = ... + Re(c2 exp(2it)) + Re(c4 exp(4it)) is stationary where Im(c2 z + 2 c4 z^2) = 0 on |z| = 1, z =
+  // exp(2it): 2 c4 z^4 + c2 z^3 - conj(c2) z - 2 conj(c4) = 0.
   const Circular_harmonics q = tensor.harmonics();
   const complex<double> c2(q[1], -q[2]), c4(q[3], -q[4]);
   std::vector<std::pair<double, Eigen::Vector2d>> pairs;
