@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Makes the manual's pictures anew with the program (built before) and ImageMagick.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+program=build/bin/quadrille
+[ -x "$program" ] || { echo "there is no $program; build it first (scripts/test.sh)" >&2; exit 1; }
+command -v convert >/dev/null || { echo "ImageMagick's convert is needed (package imagemagick)" >&2; exit 1; }
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# figure <case> <panel: 0 field, 1 map, 2 layout, 3 mesh> <width> <file>
+figure() {
+  [ -f "$folder/$1.png" ] ||
+    "$program" quad "examples/data/$1.geo" -o "$folder/$1.msh" --picture "$folder/$1.png" --quiet
+  mkdir -p "$(dirname "$4")"
+  convert "$folder/$1.png" -crop 2x2@ +repage "$folder/panel_%d.png"
+  convert "$folder/panel_$2.png" -resize "$3x" -colors 32 -strip "$4"
+  echo "$4"
+}
+
+figure three_component_wing 0 800 doc/Odeco_frame_field/fig/wing_field.png
+figure square_1_10 0 500 doc/Odeco_frame_field/fig/square_field.png
+figure three_component_wing 1 800 doc/Seamless_parametrization/fig/wing_map.png
+figure nautilus 2 600 doc/Quad_extraction/fig/nautilus_layout.png
+figure nautilus 3 600 doc/Quad_extraction/fig/nautilus_mesh.png
+figure three_component_wing 3 940 doc/fig/wing_mesh.png
