@@ -230,6 +230,20 @@ TEST_F(Program, meshes_a_square_and_checks_it)
   EXPECT_EQ(content(path("b.msh")), mesh);
 }
 
+TEST_F(Program, a_run_without_result_reports_the_stages_that_succeeded)
+{
+  // One triangle: three right angles do not add up to a disk, and there is no vertex inside for a singularity.
+  const std::string in = write("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_EQ(run({"quad", in, "-o", path("out/a.msh"), "--json", path("a.json")}), 4);
+  EXPECT_EQ(m_error.rfind("quadrille: error: map: ", 0), 0u) << m_error;
+  const nlohmann::json summary = nlohmann::json::parse(content(path("a.json")));
+  EXPECT_TRUE(summary.contains("input"));
+  EXPECT_TRUE(summary.contains("field"));
+  EXPECT_FALSE(summary.contains("mesh"));
+  EXPECT_EQ(summary["error"]["stage"], "map");
+  EXPECT_TRUE(fs::is_empty(path("out")));
+}
+
 TEST_F(Program, check_rejects_invalid_meshes)
 {
   const std::string twisted = write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3 4\n");

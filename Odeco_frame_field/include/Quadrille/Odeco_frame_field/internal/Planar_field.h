@@ -5,6 +5,7 @@
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_PLANAR_FIELD_H
 
 #include <Quadrille/Odeco_field_options.h>
+#include <Quadrille/Odeco_frame_field/internal/Canonical_position.h>
 #include <Quadrille/Odeco_frame_field/internal/Field_solver.h>
 #include <Quadrille/Odeco_frame_field/internal/vertex_restrictions.h>
 
@@ -20,57 +21,6 @@ namespace Quadrille {
 namespace internal {
 
 using Gradients = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
-
-/// The similarity that brings a domain to unit size with its first constrained edge along the x-axis.
-///
-/// The field is computed there, on coordinates rounded to 32 bits, so that moved, turned and scaled copies of a domain
-/// start from the same bits: melting amplifies the smallest difference.
-class Canonical_position {
-public:
-  Canonical_position(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& axis, double size_unit)
-      : m_size_unit(size_unit), m_axis(axis.normalized())
-  {
-    Eigen::Vector2d low = points.front(), high = points.front();
-    for (const Eigen::Vector2d& p : points) {
-      low = low.cwiseMin(to_axes(p));
-      high = high.cwiseMax(to_axes(p));
-    }
-    m_center = 0.5 * (low + high);
-    m_diameter = (high - low).norm();
-  }
-
-  Eigen::Vector2d point(const Eigen::Vector2d& p) const
-  {
-    const double resolution = std::ldexp(1.0, 32);
-    const Eigen::Vector2d q = (to_axes(p) - m_center) / m_diameter;
-    return {std::round(q.x() * resolution) / resolution, std::round(q.y() * resolution) / resolution};
-  }
-  double size(double s) const
-  {
-    const double resolution = std::ldexp(1.0, 32);
-    return std::round(s / m_size_unit * resolution) / resolution;
-  }
-  Eigen::Vector2d original_direction(const Eigen::Vector2d& d) const
-  {
-    return {m_axis.x() * d.x() - m_axis.y() * d.y(), m_axis.y() * d.x() + m_axis.x() * d.y()};
-  }
-  double original_size(double s) const { return s * m_size_unit; }
-  Circular_harmonics original_harmonics(const Circular_harmonics& q) const
-  {
-    const double angle = std::atan2(m_axis.y(), m_axis.x());
-    return m_size_unit * Symmetric_tensor_2::from_harmonics(q).rotated(angle).harmonics();
-  }
-
-private:
-  Eigen::Vector2d to_axes(const Eigen::Vector2d& p) const
-  {
-    return {m_axis.dot(p), m_axis.x() * p.y() - m_axis.y() * p.x()};
-  }
-
-  double m_size_unit;
-  Eigen::Vector2d m_axis, m_center;
-  double m_diameter = 1;
-};
 
 inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges, const Odeco_field_options& options)
 {
@@ -139,125 +89,167 @@ std::vector<Orthogonal_frame_2> face_frames(const Field_elements<N>& elements, c
   return frames;
 }
 
-/// The field on index arrays: see `odeco_frame_field`.
-inline Odeco_field_result
-solve_planar_field(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
-                   const std::vector<Constrained_halfedge>& edges, const Odeco_field_options& options,
-                   const std::function<double(std::size_t, const Gradients&)>& evaluator, Gradients& gradients)
-{
-  constexpr int N = 3;
-  const Stopwatch stopwatch;
-  check_field_arguments(edges, options);
+/// One run of `odeco_frame_field` on index arrays; N coefficients per vertex (3: isotropic frames).
+template <int N> class Planar_field {
+public:
+  using Evaluator = std::function<double(std::size_t, const Gradients&)>;
 
-  double log_size = 0;
-  int n_sizes = 0;
-  for (const Constrained_halfedge& edge : edges)
-    for (const double size : edge.size)
-      if (size > 0) {
-        log_size += std::log(size);
-        ++n_sizes;
-      }
-  const int first = edges.front().halfedge;
-  const Canonical_position position(points,
-                                    points[std::size_t(mesh.target(first))] - points[std::size_t(mesh.source(first))],
-                                    n_sizes > 0 ? std::exp(log_size / n_sizes) : 1);
-  std::vector<Eigen::Vector2d> canonical_points(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
-    canonical_points[v] = position.point(points[v]);
-  std::vector<Constrained_halfedge> canonical_edges = edges;
-  for (Constrained_halfedge& edge : canonical_edges)
-    for (double& size : edge.size)
-      size = position.size(size);
-
-  Odeco_field_result result;
-  std::vector<Vertex_restriction<N>> restrictions;
-  for (const Vertex_constraint& constraint : collect_vertex_constraints(mesh, canonical_points, canonical_edges)) {
-    restrictions.push_back(isotropic_restriction(constraint));
-    result.free_corners += constraint.is_free_corner() ? 1 : 0;
-  }
-  const Field_elements<N> elements(mesh, canonical_points, local_triangle_sizes(mesh, canonical_points),
-                                   std::move(restrictions));
-
-  const auto to_gradients = [&](const Eigen::VectorXd& x) {
-    Gradients pairs;
-    for (const Orthogonal_frame_2& frame : face_frames(elements, x))
-      pairs.emplace_back(position.original_direction(frame.direction) / position.original_size(frame.size_u),
-                         position.original_direction(frame.normal()) / position.original_size(frame.size_v));
-    return pairs;
-  };
-
-  // A singularity has to be soft over the same part of the domain however fine the triangles are.
-  Melt_and_freeze_schedule schedule = options.schedule;
-  schedule.melt_epsilon *= std::max(1.0, std::sqrt(mesh.number_of_faces() / 2500.0));
-
-  const std::size_t n_starts = 2 + std::size_t(options.solver == Field_solver_kind::lbfgs ? 0 : options.starts);
-  result.starts.resize(n_starts);
-  std::vector<Eigen::VectorXd> fields(n_starts);
-  Field_solver<N> first_solver(elements, schedule, options.threads, options.observer, options.solver);
-  const auto finish_start = [&](std::size_t i, Field_start start, const Field_solver<N>& solver,
-                                const Stopwatch& watch) {
-    start.energy = solver.integrability_energy(fields[i]);
-    start.energy_lie = solver.lie_energy(fields[i]);
-    const Gradients pairs = std::isfinite(start.energy) ? to_gradients(fields[i]) : Gradients();
-    start.valid = !pairs.empty();
-    start.cost = !start.valid ? std::numeric_limits<double>::infinity()
-                 : evaluator  ? evaluator(i, pairs)
-                              : start.energy;
-    start.seconds = watch.seconds();
-    result.starts[i] = start;
-  };
+  Planar_field(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
+               const std::vector<Constrained_halfedge>& edges, const Odeco_field_options& options,
+               const Evaluator& evaluator)
+      : m_options(options), m_evaluator(evaluator), m_position(canonical_position(mesh, points, edges)),
+        m_elements(make_elements(mesh, points, edges)), m_schedule(options.schedule)
   {
-    const Stopwatch watch;
-    fields[0] = first_solver.smooth_field(1);
-    Field_start start;
-    start.iterations = first_solver.iterations();
-    finish_start(0, start, first_solver, watch);
+    // A singularity has to be soft over the same part of the domain however fine the triangles are.
+    m_schedule.melt_epsilon *= std::max(1.0, std::sqrt(mesh.number_of_faces() / 2500.0));
   }
+
+  Odeco_field_result solve(Gradients& gradients)
   {
-    const Stopwatch watch;
-    fields[1] = fields[0];
-    first_solver.integrate(fields[1]);
+    const Stopwatch stopwatch;
+    const int n_melted = m_options.solver == Field_solver_kind::lbfgs ? 0 : m_options.starts;
+    m_result.starts.resize(2 + std::size_t(n_melted));
+    m_fields.resize(m_result.starts.size());
+    compute_smooth_and_relaxed_starts();
+    parallel_for(
+        std::size_t(n_melted), m_options.threads, [&](std::size_t i) { compute_melted_start(i); }, 1);
+    choose_start();
+
+    const Field_start& chosen = m_result.starts[std::size_t(m_result.chosen)];
+    const Eigen::VectorXd& x = m_fields[std::size_t(m_result.chosen)];
+    gradients = gradients_of(x);
+    m_result.energy = chosen.energy;
+    m_result.energy_lie = chosen.energy_lie;
+    m_result.energy_odeco = chosen.energy - chosen.energy_lie;
+    for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v)
+      m_result.harmonics.push_back(
+          m_position.original_harmonics(Tensor_coefficients<N>::harmonics(m_elements.coefficients(v, x))));
+    m_result.seconds = stopwatch.seconds();
+    return m_result;
+  }
+
+private:
+  /// Unit of length: the domain; unit of sizes: the geometric mean of the prescribed ones.
+  static Canonical_position canonical_position(const Indexed_triangulation& mesh,
+                                               const std::vector<Eigen::Vector2d>& points,
+                                               const std::vector<Constrained_halfedge>& edges)
+  {
+    double log_size = 0;
+    int n_sizes = 0;
+    for (const Constrained_halfedge& edge : edges)
+      for (const double size : edge.size)
+        if (size > 0) {
+          log_size += std::log(size);
+          ++n_sizes;
+        }
+    const int first = edges.front().halfedge;
+    return {points, points[std::size_t(mesh.target(first))] - points[std::size_t(mesh.source(first))],
+            n_sizes > 0 ? std::exp(log_size / n_sizes) : 1};
+  }
+
+  Field_elements<N> make_elements(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
+                                  std::vector<Constrained_halfedge> edges)
+  {
+    std::vector<Eigen::Vector2d> canonical_points;
+    for (const Eigen::Vector2d& p : points)
+      canonical_points.push_back(m_position.point(p));
+    for (Constrained_halfedge& edge : edges)
+      for (double& size : edge.size)
+        size = m_position.size(size);
+    std::vector<Vertex_restriction<N>> restrictions;
+    for (const Vertex_constraint& constraint : collect_vertex_constraints(mesh, canonical_points, edges)) {
+      restrictions.push_back(isotropic_restriction(constraint));
+      m_result.free_corners += constraint.is_free_corner() ? 1 : 0;
+    }
+    return Field_elements<N>(mesh, canonical_points, local_triangle_sizes(mesh, canonical_points),
+                             std::move(restrictions));
+  }
+
+  void compute_smooth_and_relaxed_starts()
+  {
+    Field_solver<N> solver(m_elements, m_schedule, m_options.threads, m_options.observer, m_options.solver);
+    const Stopwatch smooth_watch;
+    m_fields[0] = solver.smooth_field(1);
     Field_start start;
+    start.iterations = solver.iterations();
+    finish_start(0, start, solver, smooth_watch);
+
+    const Stopwatch relaxed_watch;
+    m_fields[1] = m_fields[0];
+    solver.integrate(m_fields[1]);
     start.kind = Field_start::Kind::relaxed;
-    start.iterations = first_solver.iterations() - result.starts[0].iterations;
-    finish_start(1, start, first_solver, watch);
+    start.iterations = solver.iterations() - start.iterations;
+    finish_start(1, start, solver, relaxed_watch);
   }
-  parallel_for(
-      n_starts - 2, options.threads,
-      [&](std::size_t i) {
-        const Stopwatch watch;
-        Field_solver<N> solver(elements, schedule, 1, options.observer, options.solver);
-        Field_start start;
-        start.kind = Field_start::Kind::melted;
-        start.seed = options.seed + i;
-        fields[i + 2] = solver.melt_and_freeze(fields[0], start.seed);
-        start.iterations = solver.iterations();
-        finish_start(i + 2, start, solver, watch);
-      },
-      1);
 
-  for (std::size_t i = 0; i < n_starts; ++i) {
-    const bool better = result.chosen < 0 ||
-                        result.starts[std::size_t(result.chosen)].kind == Field_start::Kind::smooth ||
-                        result.starts[i].cost < result.starts[std::size_t(result.chosen)].cost;
-    if (result.starts[i].valid && better)
-      result.chosen = int(i);
-    result.iterations += result.starts[i].iterations;
+  void compute_melted_start(std::size_t i)
+  {
+    const Stopwatch watch;
+    Field_solver<N> solver(m_elements, m_schedule, 1, m_options.observer, m_options.solver);
+    Field_start start;
+    start.kind = Field_start::Kind::melted;
+    start.seed = m_options.seed + i;
+    m_fields[i + 2] = solver.melt_and_freeze(m_fields[0], start.seed);
+    start.iterations = solver.iterations();
+    finish_start(i + 2, start, solver, watch);
   }
-  if (result.chosen < 0)
-    throw No_result_error("field", "no start led to a frame field with positive sizes everywhere; prescribe sizes that "
-                                   "change more slowly, or use smaller triangles");
-  const Eigen::VectorXd& x = fields[std::size_t(result.chosen)];
-  gradients = to_gradients(x);
-  result.energy = result.starts[std::size_t(result.chosen)].energy;
-  result.energy_lie = result.starts[std::size_t(result.chosen)].energy_lie;
-  result.energy_odeco = result.energy - result.energy_lie;
-  result.harmonics.reserve(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
-    result.harmonics.push_back(
-        position.original_harmonics(Tensor_coefficients<N>::harmonics(elements.coefficients(v, x))));
-  result.seconds = stopwatch.seconds();
-  return result;
+
+  void finish_start(std::size_t i, Field_start start, const Field_solver<N>& solver, const Stopwatch& watch)
+  {
+    start.energy = solver.integrability_energy(m_fields[i]);
+    start.energy_lie = solver.lie_energy(m_fields[i]);
+    const Gradients gradients = std::isfinite(start.energy) ? gradients_of(m_fields[i]) : Gradients();
+    start.valid = !gradients.empty();
+    if (!start.valid)
+      start.cost = std::numeric_limits<double>::infinity();
+    else
+      start.cost = m_evaluator ? m_evaluator(i, gradients) : start.energy;
+    start.seconds = watch.seconds();
+    m_result.starts[i] = start;
+  }
+
+  void choose_start()
+  {
+    const Field_start* best = nullptr;
+    for (const Field_start& start : m_result.starts) {
+      m_result.iterations += start.iterations;
+      if (start.valid && (!best || best->kind == Field_start::Kind::smooth || start.cost < best->cost))
+        best = &start;
+    }
+    if (!best)
+      throw No_result_error("field", "no start led to a frame field with positive sizes everywhere; prescribe sizes "
+                                     "that change more slowly, or use smaller triangles");
+    m_result.chosen = int(best - m_result.starts.data());
+  }
+
+  /// In the original position. Empty if a size is not positive.
+  Gradients gradients_of(const Eigen::VectorXd& x) const
+  {
+    Gradients pairs;
+    for (const Orthogonal_frame_2& frame : face_frames(m_elements, x))
+      pairs.emplace_back(m_position.original_direction(frame.direction) / m_position.original_size(frame.size_u),
+                         m_position.original_direction(frame.normal()) / m_position.original_size(frame.size_v));
+    return pairs;
+  }
+
+  const Odeco_field_options& m_options;
+  const Evaluator& m_evaluator;
+  Odeco_field_result m_result;
+  Canonical_position m_position;
+  Field_elements<N> m_elements;
+  Melt_and_freeze_schedule m_schedule;
+  std::vector<Eigen::VectorXd> m_fields; ///< by start
+};
+
+/// See `odeco_frame_field`.
+inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
+                                             const std::vector<Eigen::Vector2d>& points,
+                                             const std::vector<Constrained_halfedge>& edges,
+                                             const Odeco_field_options& options,
+                                             const Planar_field<3>::Evaluator& evaluator, Gradients& gradients)
+{
+  check_field_arguments(edges, options);
+  return Planar_field<3>(mesh, points, edges, options, evaluator).solve(gradients);
 }
 
 } // namespace internal
