@@ -3,7 +3,11 @@
 
 #include "Quad_pipeline.h"
 
+#include "pipeline_output.h"
+
 #include <Quadrille/Curve_projector.h>
+#include <Quadrille/Mesh_quality.h>
+#include <Quadrille/Size_specification.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -44,29 +48,56 @@ Seamless_map<Mesh> integrate(const Planar_domain& domain, const std::vector<Grad
 /// A candidate without a locally injective map is worse than every other, by how much of it is folded.
 double cost(const Seamless_map<Mesh>& map) { return map.flipped == 0 ? map.integration_error : 1e3 + map.flipped; }
 
+/// Map and quads of one start's field. `result` is filled as far as that gets.
+void mesh_start(const Planar_domain& domain, std::size_t start, const std::vector<Gradient_pair>& gradients,
+                const Seamless_parametrization_options& map_options, const Quad_extraction_options& extraction_options,
+                Quad_pipeline_result& result)
+{
+  result.gradients = gradients;
+  result.field->chosen = int(start);
+  result.field->energy = result.field->starts[start].energy;
+  result.field->energy_lie = result.field->starts[start].energy_lie;
+  result.field->energy_odeco = result.field->energy - result.field->energy_lie;
+  result.map = integrate(domain, result.gradients, map_options, result.corner_uv);
+  result.extraction =
+      extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
+                    domain.region_map(), result.quads, extraction_options, Greedy_quantizer(), Curve_projector(domain));
+}
+
+/// What a user feels of a mesh: its mean skew and the mean error of the prescribed sizes, in units of what is still
+/// good (5 degrees; 10 %), and its irregular vertices, each like a tenth of a degree of skew.
+double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
+                  const Quad_pipeline_result& result)
+{
+  Domain_sizes sizes;
+  for (const Edge_frame_constraint& constraint : constraints)
+    sizes.of_edge.push_back({constraint.source_size, constraint.target_size});
+  const Labelled_mesh mesh = labelled_quads(domain, result);
+  int n_irregular = 0;
+  for (const auto& [valence, count] : result.extraction->irregular_vertices)
+    n_irregular += count;
+  return measure_quality(mesh).skew_mean / 5 + measure_size_error(mesh, domain, sizes).mean / 0.1 + 0.02 * n_irregular;
+}
+
 } // namespace
 
 void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
                        const Quad_pipeline_options& options, Quad_pipeline_result& result)
 {
-  struct Candidate {
-    std::vector<Gradient_pair> gradients;
-    double cost = std::numeric_limits<double>::infinity();
-  };
-  std::vector<Candidate> candidates(2 + std::size_t(std::max(options.field.starts, 0)));
+  std::vector<std::vector<Gradient_pair>> candidates(2 + std::size_t(std::max(options.field.starts, 0)));
   Seamless_parametrization_options map_options = options.map;
   map_options.threads = 1; // the starts themselves run in parallel
-  const auto evaluate = [&](std::size_t start, const std::vector<Gradient_pair>& gradients) {
+  const auto evaluate = [&](std::size_t start, const std::vector<Gradient_pair>& gradients) -> double {
+    candidates[start] = gradients;
     try {
       std::vector<Point_2> corner_uv;
       const Seamless_map<Mesh> map = integrate(domain, gradients, map_options, corner_uv);
       if (start == 0)
         result.smooth_integration_error = map.integration_error;
-      candidates[start] = {gradients, cost(map)};
+      return cost(map);
     } catch (const No_result_error&) {
-      candidates[start] = {gradients, std::numeric_limits<double>::infinity()};
+      return std::numeric_limits<double>::infinity();
     }
-    return candidates[start].cost;
   };
   std::vector<Edge_frame_constraint> edge_constraints = constraints;
   result.gradients.resize(domain.mesh.number_of_faces());
@@ -78,39 +109,50 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   // The chosen start first, then the others by cost; the smooth field is only a reference.
   std::vector<std::size_t> order;
   for (std::size_t i = 1; i < candidates.size(); ++i)
-    if (!candidates[i].gradients.empty())
+    if (!candidates[i].empty())
       order.push_back(i);
+  const std::vector<Field_start> starts = result.field->starts;
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return candidates[a].cost < candidates[b].cost; });
-  if (order.empty())
-    order.push_back(std::size_t(result.field->chosen));
+                   [&](std::size_t a, std::size_t b) { return starts[a].cost < starts[b].cost; });
+  if (order.empty()) { // only the smooth field has positive sizes
+    order.push_back(0);
+    candidates[0] = result.gradients;
+  }
 
   map_options.threads = options.field.threads;
   Quad_extraction_options extraction_options = options.extraction;
   extraction_options.threads = options.field.threads;
   extraction_options.observer = options.observer;
   std::optional<No_result_error> first_error;
+  std::optional<Quad_pipeline_result> first_failed, best;
+  double best_score = std::numeric_limits<double>::infinity();
+  std::vector<std::string> rejected;
+  int n_meshed = 0;
   for (const std::size_t start : order) {
+    if (best && (n_meshed == options.max_meshed_starts ||
+                 starts[start].cost > options.meshed_cost_ratio * starts[order.front()].cost))
+      break;
+    ++n_meshed;
+    Quad_pipeline_result attempt = result;
     try {
-      if (!candidates[start].gradients.empty())
-        result.gradients = candidates[start].gradients;
-      result.map = integrate(domain, result.gradients, map_options, result.corner_uv);
-      result.field->chosen = int(start);
-      result.field->energy = result.field->starts[start].energy;
-      result.field->energy_lie = result.field->starts[start].energy_lie;
-      result.field->energy_odeco = result.field->energy - result.field->energy_lie;
-      result.quads.clear();
-      result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv),
-                                        domain.chain_map(), domain.region_map(), result.quads, extraction_options,
-                                        Greedy_quantizer(), Curve_projector(domain));
-      return;
+      mesh_start(domain, start, candidates[start], map_options, extraction_options, attempt);
+      const double score = mesh_score(domain, constraints, attempt);
+      if (score < best_score) {
+        best_score = score;
+        best = std::move(attempt);
+      }
     } catch (const No_result_error& error) {
-      result.rejected.push_back("start " + std::to_string(start) + ": " + error.what());
-      if (!first_error)
+      rejected.push_back("start " + std::to_string(start) + ": " + error.what());
+      if (!first_error) {
         first_error = error;
+        first_failed = std::move(attempt);
+      }
     }
   }
-  throw *first_error;
+  result = std::move(best ? *best : *first_failed);
+  result.rejected = std::move(rejected);
+  if (!result.extraction)
+    throw *first_error;
 }
 
 } // namespace Quadrille

@@ -19,6 +19,8 @@ struct Quad_pipeline_options {
   Odeco_field_options field; ///< its threads are used for the whole pipeline
   Seamless_parametrization_options map;
   Quad_extraction_options extraction;
+  int max_meshed_starts = 8;      ///< of the starts with the best maps, so many are meshed; the best mesh is kept
+  double meshed_cost_ratio = 1.5; ///< but not those whose cost is more than this times the least
   const Progress_observer* observer = nullptr;
 };
 
@@ -43,8 +45,9 @@ struct Quad_pipeline_result {
 
 /// Field, map and quads of a planar domain with the sizes of `constraints` (per edge).
 ///
-/// The field's starts are judged by the integration error of their maps; a start whose map or mesh is not valid is
-/// passed over for the next best. `result` is filled as far as the run gets, also when it throws.
+/// The field's starts are judged by the integration error of their maps and by how far sizes stray; the best few are
+/// meshed, and the mesh with the least skew and error of the prescribed sizes is kept. A start whose map or mesh is not
+/// valid is passed over. `result` is filled as far as the run gets, also when it throws.
 /// \throws No_result_error of the best start if no start led to a valid mesh, and as the stages do.
 void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
                        const Quad_pipeline_options& options, Quad_pipeline_result& result);

@@ -18,7 +18,8 @@ using namespace Quadrille_test;
 template <int N> Field_elements<N> free_elements(const Triangles& triangles)
 {
   return Field_elements<N>(triangles.indexed(), triangles.points, std::vector<double>(triangles.faces.size(), 1),
-                           std::vector<Vertex_restriction<N>>(triangles.points.size()));
+                           std::vector<Vertex_restriction<N>>(triangles.points.size()),
+                           std::vector<double>(triangles.points.size(), 0.1));
 }
 
 /// The unknowns of a field without constraints that samples `frame` at the vertices.
@@ -47,8 +48,10 @@ template <int N, Field_energy_kind kind> void expect_right_jacobians()
     restrictions[std::size_t(v)].offset = Eigen::Matrix<double, N, 1>::Unit(0) * 3;
     restrictions[std::size_t(v)].basis = Eigen::Matrix<double, N, N>::NullaryExpr([&] { return uniform(engine); });
   }
-  const Field_elements<N> elements(triangles.indexed(), triangles.points, {0.7, 0.9}, restrictions);
-  const Field_energy<N, kind> energy(elements, 1.5);
+  const Field_elements<N> elements(triangles.indexed(), triangles.points, {0.7, 0.9}, restrictions,
+                                   {0.1, -0.2, 0.3, 0});
+  Field_energy<N, kind> energy(elements, 1.5);
+  energy.set_size_attraction(0.8);
   for (std::size_t e = 0; e < 2; ++e)
     for (int repeat = 0; repeat < 10; ++repeat) {
       typename Field_energy<N, kind>::Unknowns x;

@@ -163,7 +163,7 @@ TEST(Odeco_frame_field, melting_creates_singularities_whose_energy_the_smooth_st
         return -double(turned);
       });
   EXPECT_EQ(field.result.starts[std::size_t(field.result.chosen)].kind, Field_start::Kind::melted);
-  EXPECT_LE(field.result.starts[std::size_t(field.result.chosen)].cost, -2);
+  EXPECT_LT(field.result.starts[std::size_t(field.result.chosen)].cost, -1.5); // two vertices, and the size deviation
   EXPECT_NEAR(field.result.energy, field.result.energy_lie + field.result.energy_odeco, 1e-9 * field.result.energy);
 }
 

@@ -20,15 +20,16 @@ enum class Field_solver_kind {
 
 /// How melting and freezing places singularities. Epsilons are in units of the local triangle size.
 struct Melt_and_freeze_schedule {
-  double smooth_epsilon = 2; ///< of the smooth start
-  double melt_epsilon = 20;  ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
-  double noise = 0.9;        ///< on every free coefficient, relative to q0; below about 0.5 nothing happens
-  int melt_steps = 15;       ///< Levenberg-Marquardt steps that take the noise out
-  int soft_iterations = 200; ///< preconditioned L-BFGS iterations at the melting epsilon
-  double freeze_ratio = 1.5; ///< between consecutive epsilons
-  int freeze_steps = 5;      ///< Levenberg-Marquardt steps per epsilon
-  double final_epsilon = 2;  ///< small: singularities are sharp, and cannot move any more
-  int final_steps = 40;      ///< at most
+  double smooth_epsilon = 2;  ///< of the smooth start
+  double melt_epsilon = 20;   ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
+  double size_attraction = 1; ///< weight of the mean squared log(size) against the expected sizes, while melted
+  double noise = 0.9;         ///< on every free coefficient, relative to q0; below about 0.5 nothing happens
+  int melt_steps = 15;        ///< Levenberg-Marquardt steps that take the noise out
+  int soft_iterations = 200;  ///< preconditioned L-BFGS iterations at the melting epsilon
+  double freeze_ratio = 1.5;  ///< between consecutive epsilons
+  int freeze_steps = 5;       ///< Levenberg-Marquardt steps per epsilon
+  double final_epsilon = 2;   ///< small: singularities are sharp, and cannot move any more
+  int final_steps = 40;       ///< at most
 };
 
 struct Odeco_field_options {
@@ -36,6 +37,9 @@ struct Odeco_field_options {
   int starts = 8;         ///< number of melted candidates; 0 only relaxes the smooth field
   std::uint64_t seed = 1; ///< of the noise; equal seeds give equal fields
   int threads = 0;        ///< 0: all cores
+  /// Added to the cost of every start: this times its `size_deviation`. Starts that integrate about equally well are
+  /// then told apart by how far sizes stray between the curves where they are prescribed.
+  double size_deviation_weight = 0.01;
   Melt_and_freeze_schedule schedule;
   const Progress_observer* observer = nullptr;
 };
@@ -49,10 +53,11 @@ struct Field_start {
   };
   Kind kind = Kind::smooth;
   std::uint64_t seed = 0;
-  bool valid = false;    ///< positive sizes everywhere
-  double energy = 0;     ///< E_integ at the final epsilon
-  double energy_lie = 0; ///< its part E_Lie; planar-2, eq. (30)
-  double cost = 0;       ///< the evaluator's, or the energy without one
+  bool valid = false;        ///< positive sizes everywhere
+  double energy = 0;         ///< E_integ at the final epsilon
+  double energy_lie = 0;     ///< its part E_Lie; planar-2, eq. (30)
+  double size_deviation = 0; ///< mean over the area of log(size / expected)^2, expected: harmonic between the curves
+  double cost = 0;           ///< the evaluator's (without one, the energy), and the weighted size deviation
   int iterations = 0;
   double seconds = 0;
 };

@@ -39,10 +39,12 @@ public:
     double size; ///< local triangle size, the unit of epsilon
   };
 
-  /// `sizes`: per face the length that multiplies the relative epsilon.
+  /// `sizes`: per face the length that multiplies the relative epsilon; `expected_log_sizes`: per vertex.
   Field_elements(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
-                 const std::vector<double>& sizes, std::vector<Vertex_restriction<N>> restrictions)
-      : m_restrictions(std::move(restrictions)), m_first(m_restrictions.size() + 1, 0)
+                 const std::vector<double>& sizes, std::vector<Vertex_restriction<N>> restrictions,
+                 std::vector<double> expected_log_sizes)
+      : m_restrictions(std::move(restrictions)), m_expected_log_sizes(std::move(expected_log_sizes)),
+        m_first(m_restrictions.size() + 1, 0)
   {
     m_elements.reserve(std::size_t(mesh.number_of_faces()));
     for (int f = 0; f < mesh.number_of_faces(); ++f) {
@@ -59,6 +61,7 @@ public:
         element.gradient.col(i) = Eigen::Vector2d(-edge.y(), edge.x()) / twice_area;
       }
       element.size = sizes[std::size_t(f)];
+      m_total_area += element.area;
       m_elements.push_back(element);
     }
     for (std::size_t v = 0; v < m_restrictions.size(); ++v)
@@ -70,6 +73,8 @@ public:
   std::size_t number_of_unknowns() const { return std::size_t(m_first.back()); }
   const Element& element(std::size_t e) const { return m_elements[e]; }
   const Vertex_restriction<N>& restriction(std::size_t v) const { return m_restrictions[v]; }
+  double expected_log_size(std::size_t v) const { return m_expected_log_sizes[v]; }
+  double total_area() const { return m_total_area; }
   int first_unknown(std::size_t v) const { return m_first[v]; }
 
   int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
@@ -134,6 +139,8 @@ public:
 private:
   std::vector<Element> m_elements;
   std::vector<Vertex_restriction<N>> m_restrictions;
+  std::vector<double> m_expected_log_sizes;
+  double m_total_area = 0;
   std::vector<int> m_first;
 };
 

@@ -28,7 +28,8 @@ template <int N, Field_energy_kind kind> class Field_energy {
 public:
   static constexpr int max_unknowns = 3 * N;
   static constexpr int first_odeco_row = integrable ? 2 * points : 2 * N;
-  static constexpr int max_residuals = first_odeco_row + odeco * points;
+  static constexpr int first_size_row = first_odeco_row + odeco * points;
+  static constexpr int max_residuals = first_size_row + (integrable ? points : 0);
   using Coefficients = typename Traits::Vector;
   using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
   using Residuals = Eigen::Matrix<double, max_residuals, 1>;
@@ -42,6 +43,9 @@ public:
 
   void set_relative_epsilon(double relative_epsilon) { m_relative_epsilon = relative_epsilon; }
   double relative_epsilon() const { return m_relative_epsilon; }
+  /// Adds `weight` times half the mean over the domain of the squared logarithm of size against the expected one. It
+  /// decides between fields that are equally integrable, as along the flat valleys of a melted field.
+  void set_size_attraction(double weight) { m_size_attraction = weight; }
 
   std::size_t number_of_elements() const { return m_elements->number_of_elements(); }
   int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
@@ -60,6 +64,9 @@ public:
     else
       add_dirichlet(element, q, r, J ? &by_coefficients : nullptr);
     inside = inside && add_odeco(element, q, r, J ? &by_coefficients : nullptr);
+    if constexpr (integrable)
+      if (inside)
+        add_size_attraction(element, q, r, J ? &by_coefficients : nullptr);
     if (inside && J)
       m_elements->restrict_jacobian(e, by_coefficients, *J);
     return inside;
@@ -149,8 +156,34 @@ private:
     return true;
   }
 
+  /// \pre `q` has a positive area at the quadrature points.
+  void add_size_attraction(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
+  {
+    if (m_size_attraction == 0) {
+      r.template tail<points>().setZero();
+      if (J)
+        J->template bottomRows<points>().setZero();
+      return;
+    }
+    double expected[3];
+    for (std::size_t k = 0; k < 3; ++k)
+      expected[k] = m_elements->expected_log_size(std::size_t(element.vertex[k]));
+    const double factor = std::sqrt(m_size_attraction * element.area / (3 * m_elements->total_area()));
+    for (int p = 0; p < points; ++p) {
+      Coefficients area_derivatives;
+      const double area = Traits::area(interpolate(q, p), &area_derivatives);
+      const double log_size = (expected[0] + expected[1] + expected[2]) / 6 + 0.5 * expected[p];
+      r[first_size_row + p] = factor * (0.5 * std::log(area) - log_size);
+      if (J)
+        for (int k = 0; k < 3; ++k)
+          J->template block<1, N>(first_size_row + p, k * N) =
+              (0.5 * factor * weight(p, k) / area) * area_derivatives.transpose();
+    }
+  }
+
   const Field_elements<N>* m_elements;
   double m_relative_epsilon;
+  double m_size_attraction = 0;
 };
 
 } // namespace internal

@@ -65,6 +65,7 @@ public:
   {
     Eigen::VectorXd x = perturbed(smooth, seed);
     m_integrability.set_relative_epsilon(m_schedule.melt_epsilon);
+    m_integrability.set_size_attraction(m_schedule.size_attraction);
     Levenberg_marquardt_options options;
     options.max_iterations = m_schedule.melt_steps;
     options.relative_decrease = 1e-5;
@@ -79,6 +80,7 @@ public:
     if (x.size() > 0)
       m_iterations += minimize_preconditioned_lbfgs(m_integrable_problem, x, soft, &m_solver).iterations;
 
+    m_integrability.set_size_attraction(0);
     double epsilon = m_schedule.melt_epsilon / m_schedule.freeze_ratio;
     options.max_iterations = m_schedule.freeze_steps;
     options.relative_decrease = 1e-3;
@@ -169,7 +171,10 @@ private:
     Eigen::VectorXd x = smooth;
     Noise noise(seed);
     for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v) {
+      // The smooth field may have shrunk where its directions cancel; the expected sizes have not.
       Coefficients q = m_elements.coefficients(v, smooth);
+      const double size = std::exp(m_elements.expected_log_size(v));
+      q[0] = size * Tensor_coefficients<N>::from_harmonics(odeco_harmonics({}))[0];
       const double amplitude = m_schedule.noise * q[0];
       // The degree 2 coefficients could make the area negative together with q0.
       const double factor[5] = {1, N == 3 ? 1 : 0.3, N == 3 ? 1 : 0.3, 1, 1};

@@ -7,6 +7,7 @@
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/Canonical_position.h>
 #include <Quadrille/Odeco_frame_field/internal/Field_solver.h>
+#include <Quadrille/Odeco_frame_field/internal/harmonic_log_sizes.h>
 #include <Quadrille/Odeco_frame_field/internal/vertex_restrictions.h>
 
 #include <algorithm>
@@ -157,12 +158,13 @@ private:
       for (double& size : edge.size)
         size = m_position.size(size);
     std::vector<Vertex_restriction<N>> restrictions;
-    for (const Vertex_constraint& constraint : collect_vertex_constraints(mesh, canonical_points, edges)) {
+    const std::vector<Vertex_constraint> constraints = collect_vertex_constraints(mesh, canonical_points, edges);
+    for (const Vertex_constraint& constraint : constraints) {
       restrictions.push_back(isotropic_restriction(constraint));
       m_result.free_corners += constraint.is_free_corner() ? 1 : 0;
     }
     return Field_elements<N>(mesh, canonical_points, local_triangle_sizes(mesh, canonical_points),
-                             std::move(restrictions));
+                             std::move(restrictions), harmonic_log_sizes(mesh, canonical_points, constraints));
   }
 
   void compute_smooth_and_relaxed_starts()
@@ -200,10 +202,12 @@ private:
     start.energy_lie = solver.lie_energy(m_fields[i]);
     const Gradients gradients = std::isfinite(start.energy) ? gradients_of(m_fields[i]) : Gradients();
     start.valid = !gradients.empty();
-    if (!start.valid)
-      start.cost = std::numeric_limits<double>::infinity();
-    else
-      start.cost = m_evaluator ? m_evaluator(i, gradients) : start.energy;
+    start.cost = std::numeric_limits<double>::infinity();
+    if (start.valid) {
+      start.size_deviation = size_deviation(m_fields[i]);
+      start.cost = (m_evaluator ? m_evaluator(i, gradients) : start.energy) +
+                   m_options.size_deviation_weight * start.size_deviation;
+    }
     start.seconds = watch.seconds();
     m_result.starts[i] = start;
   }
@@ -220,6 +224,20 @@ private:
       throw No_result_error("field", "no start led to a frame field with positive sizes everywhere; prescribe sizes "
                                      "that change more slowly, or use smaller triangles");
     m_result.chosen = int(best - m_result.starts.data());
+  }
+
+  double size_deviation(const Eigen::VectorXd& x) const
+  {
+    double sum = 0;
+    const std::vector<Orthogonal_frame_2> frames = face_frames(m_elements, x);
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+      const auto& element = m_elements.element(f);
+      double log_ratio = 0.5 * std::log(frames[f].size_u * frames[f].size_v);
+      for (const int v : element.vertex)
+        log_ratio -= m_elements.expected_log_size(std::size_t(v)) / 3;
+      sum += element.area * log_ratio * log_ratio;
+    }
+    return sum / m_elements.total_area();
   }
 
   /// In the original position. Empty if a size is not positive.
