@@ -4,9 +4,9 @@ set -euo pipefail
 
 packages=(
   cmake ninja-build g++ ccache
-  libcgal-dev libeigen3-dev libboost-dev libtbb-dev
+  libcgal-dev libeigen3-dev libboost-dev libboost-program-options-dev libtbb-dev
   libsuitesparse-dev libalglib-dev
-  # A BLAS that adds in the same order whatever the machine: results do not depend on the number of threads.
+  # A fast BLAS that several threads may call at once, which OpenBLAS's serial package does not allow.
   libopenblas-dev
   libgmsh-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
