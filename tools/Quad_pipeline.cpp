@@ -76,7 +76,8 @@ double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_cons
   int n_irregular = 0;
   for (const auto& [valence, count] : result.extraction->irregular_vertices)
     n_irregular += count;
-  return measure_quality(mesh).skew_mean / 5 + measure_size_error(mesh, domain, sizes).mean / 0.1 + 0.02 * n_irregular;
+  return measure_quality(mesh).skew_mean / 5 + measure_size_error(mesh, domain, sizes).length.mean / 0.1 +
+         0.02 * n_irregular;
 }
 
 } // namespace

@@ -83,8 +83,8 @@ void print_summary(Console& console, const std::string& name, const Mesh_validit
   console.print(line.str());
   if (summary.size_error) {
     line.str("");
-    line << "size error mean " << summary.size_error->mean << " max " << summary.size_error->max << " on "
-         << summary.size_error->n_edges << " edges";
+    line << "size error mean " << summary.size_error->length.mean << " max " << summary.size_error->length.max << " on "
+         << summary.size_error->length.n << " edges";
     console.print(line.str());
   }
 }

@@ -50,10 +50,11 @@ po::options_description quad_options()
                         "the mesh to write; repeatable, for several formats");
   options.add_options()("size", po::value<Strings>()->value_name("SIZE"),
                         "element size, repeatable: S everywhere, NAME=S on a physical group or curve tag, "
-                        "NAME=A:B linear along it, NAME=NxT normal x tangential");
+                        "NAME=A:B linear along it, NAME=NxT normal x tangential, NAME=free");
   options.add_options()("triangle-size", po::value<Strings>()->value_name("H"),
                         "largest edge of the background triangulation (default: chosen and printed)");
   options.add_options()("isotropic", "square elements (the default)");
+  options.add_options()("anisotropic", "rectangular elements: sizes across and along curves may differ");
   options.add_options()("solver", po::value<Strings>()->value_name("lm|lbfgs"),
                         "Levenberg-Marquardt with melting and freezing (default), or plain L-BFGS");
   options.add_options()("starts", po::value<Strings>()->value_name("N"), "number of starts of the field (default 8)");
@@ -161,6 +162,9 @@ Quad_arguments quad_arguments(const Parsed_options& options)
     throw Invalid_argument_error("option --solver: '" + solver + "' is neither lm nor lbfgs");
   if (solver == "lbfgs")
     result.solver = Field_solver_kind::lbfgs;
+  result.anisotropic = options.has("anisotropic");
+  if (result.anisotropic && options.has("isotropic"))
+    throw Invalid_argument_error("options --isotropic and --anisotropic exclude each other");
   const std::string quantizer = options.one("quantizer", "greedy");
   if (quantizer != "greedy")
     throw Invalid_argument_error("option --quantizer: '" + quantizer + "' is not known; 'greedy' is");

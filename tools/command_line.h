@@ -20,6 +20,7 @@ struct Quad_arguments {
   std::string field, map, picture, json; ///< further files to write; empty: none
   std::vector<std::string> sizes;
   double triangle_size = 0; ///< 0: chosen from the domain
+  bool anisotropic = false;
   Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
   int starts = Odeco_field_options().starts;
   std::uint64_t seed = Odeco_field_options().seed;

@@ -81,8 +81,10 @@ Json json_of(const Mesh_summary& mesh)
   json["irregular"] = json_of_counts(mesh.quality.irregular);
   json["scaled_jacobian"] = {{"min", mesh.quality.scaled_jacobian_min}, {"mean", mesh.quality.scaled_jacobian_mean}};
   json["skew_degrees"] = {{"mean", mesh.quality.skew_mean}, {"max", mesh.quality.skew_max}};
-  if (mesh.size_error)
-    json["size_error"] = {{"mean", mesh.size_error->mean}, {"max", mesh.size_error->max}};
+  if (mesh.size_error) {
+    json["size_error"] = {{"mean", mesh.size_error->length.mean}, {"max", mesh.size_error->length.max}};
+    json["aspect_error"] = {{"mean", mesh.size_error->aspect.mean}, {"max", mesh.size_error->aspect.max}};
+  }
   return json;
 }
 

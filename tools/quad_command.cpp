@@ -99,7 +99,13 @@ private:
     Size_specification specification;
     for (const std::string& size : m_arguments.sizes)
       specification.add(size);
+    for (const auto& [name, size] : specification.thin_curves())
+      options.curve_triangle_size[name] = 2 * size; // the field is linear in each triangle
     m_domain = read_planar_domain(m_arguments.input, options);
+    if (const std::string item = specification.anisotropic_item(); !item.empty() && !m_arguments.anisotropic)
+      throw Invalid_argument_error("size '" + item +
+                                   "': different sizes across and along a curve need anisotropic frames; add "
+                                   "--anisotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
     std::ostringstream line;
     line << m_arguments.input << ": " << m_domain.mesh.number_of_faces() << " triangles";
@@ -115,6 +121,7 @@ private:
   void compute()
   {
     Quad_pipeline_options options;
+    options.field.isotropic = !m_arguments.anisotropic;
     options.field.solver = m_arguments.solver;
     options.field.starts = m_arguments.starts;
     options.field.seed = m_arguments.seed;
@@ -183,7 +190,7 @@ private:
          << quality.scaled_jacobian_min << " mean " << quality.scaled_jacobian_mean << ", skew mean "
          << quality.skew_mean << " max " << quality.skew_max << " degrees";
     if (m_mesh_summary->size_error)
-      line << ", size error mean " << m_mesh_summary->size_error->mean;
+      line << ", size error mean " << m_mesh_summary->size_error->length.mean;
     line << ", " << seconds() << " s";
     m_console.print(line.str());
   }

@@ -36,7 +36,7 @@ int main(int argc, char** argv)
     for (const Quadrille::Planar_domain::Curve& curve : domain.curves) {
       const auto first = domain.mesh.edge(curve.path.front());
       std::cout << "curve " << curve.tag << (curve.names.empty() ? "" : " (" + curve.names[0] + ")") << ": "
-                << curve.path.size() << " edges, element size " << sizes.of_edge[first.idx()][0] << "\n";
+                << curve.path.size() << " edges, element size " << sizes.of_edge[first.idx()][0].tangential << "\n";
       for (const auto h : curve.path) {
         mesh.lines.push_back({int(domain.mesh.source(h).idx()), int(domain.mesh.target(h).idx())});
         mesh.line_curve.push_back(int(mesh.curves.size()));

@@ -111,9 +111,18 @@ TEST(Size_error, is_the_logarithm_of_the_ratio)
   const Labelled_mesh mesh =
       quads({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {0, 1, 0}, {2, 1, 0}, {4, 1, 0}}, {{0, 1, 4, 3}, {1, 2, 5, 4}});
   const Size_error error = measure_size_error(mesh, domain, sizes);
-  EXPECT_EQ(error.n_edges, 4u);
-  EXPECT_NEAR(error.max, std::log(2.0), 1e-12);
-  EXPECT_NEAR(error.mean, 0.5 * std::log(2.0), 1e-12);
+  EXPECT_EQ(error.length.n, 4u);
+  EXPECT_NEAR(error.length.max, std::log(2.0), 1e-12);
+  EXPECT_NEAR(error.length.mean, 0.5 * std::log(2.0), 1e-12);
+  // The quads are half as high as long, where both curves ask for squares.
+  EXPECT_EQ(error.aspect.n, 4u);
+  EXPECT_NEAR(error.aspect.mean, std::log(2.0), 1e-12);
+  Size_specification flat;
+  flat.add("1=0.5x1");
+  flat.add("3=freex1");
+  const Size_error none = measure_size_error(mesh, domain, flat.apply(domain));
+  EXPECT_EQ(none.aspect.n, 2u);
+  EXPECT_NEAR(none.aspect.max, 0, 1e-12);
 }
 
 } // namespace

@@ -33,7 +33,10 @@ Planar_domain strip(int n)
   return make_planar_domain(mesh, "strip");
 }
 
-std::array<double, 2> sizes_at(const Planar_domain& domain, const Domain_sizes& sizes, double x, double y)
+using Pair = std::array<double, 2>;
+
+/// Across and along the edge around (x, y), at its two ends.
+std::array<Pair, 2> frame_sizes_at(const Planar_domain& domain, const Domain_sizes& sizes, double x, double y)
 {
   for (const Planar_domain::Curve& curve : domain.curves)
     for (const auto h : curve.path) {
@@ -42,12 +45,21 @@ std::array<double, 2> sizes_at(const Planar_domain& domain, const Domain_sizes& 
       if (std::abs(0.5 * (p.x() + q.x()) - x) + std::abs(0.5 * (p.y() + q.y()) - y) > 1e-9)
         continue;
       const Planar_domain::edge_descriptor e(domain.mesh.edge(h).idx()); // as in edges(mesh)
-      std::array<double, 2> size = sizes.of_edge[e.idx()];
+      std::array<Frame_size, 2> size = sizes.of_edge[e.idx()];
       if (domain.mesh.halfedge(e) != h)
         std::swap(size[0], size[1]);
-      return size;
+      return {Pair{size[0].normal, size[0].tangential}, Pair{size[1].normal, size[1].tangential}};
     }
-  return {-1, -1};
+  return {Pair{-1, -1}, Pair{-1, -1}};
+}
+
+/// The same where across and along are equal.
+Pair sizes_at(const Planar_domain& domain, const Domain_sizes& sizes, double x, double y)
+{
+  const std::array<Pair, 2> ends = frame_sizes_at(domain, sizes, x, y);
+  EXPECT_EQ(ends[0][0], ends[0][1]);
+  EXPECT_EQ(ends[1][0], ends[1][1]);
+  return {ends[0][1], ends[1][1]};
 }
 
 Domain_sizes apply(const Planar_domain& domain, const std::vector<std::string>& items)
@@ -57,8 +69,6 @@ Domain_sizes apply(const Planar_domain& domain, const std::vector<std::string>& 
     specification.add(item);
   return specification.apply(domain);
 }
-
-using Pair = std::array<double, 2>;
 
 TEST(Size_specification, constant_and_named_sizes)
 {
@@ -86,6 +96,25 @@ TEST(Size_specification, linear_sizes_run_along_the_joined_curves)
   EXPECT_EQ(sizes_at(domain, apply(domain, {"top=1:5"}), 3.5, 1), (Pair{1, 2}));
 }
 
+TEST(Size_specification, sizes_across_and_along)
+{
+  const Planar_domain domain = strip(4);
+  const Domain_sizes sizes = apply(domain, {"bottom=0.5x1:1x3", "right=0.1xfree", "top=free", "3=freex2"});
+  EXPECT_EQ(frame_sizes_at(domain, sizes, 0.5, 0), (std::array<Pair, 2>{Pair{0.5, 1}, Pair{0.625, 1.5}}));
+  EXPECT_EQ(frame_sizes_at(domain, sizes, 3.5, 1), (std::array<Pair, 2>{Pair{0, 0}, Pair{0, 0}}));
+  EXPECT_EQ(frame_sizes_at(domain, sizes, 4, 0.5), (std::array<Pair, 2>{Pair{0, 2}, Pair{0, 2}}));
+
+  for (const char* item : {"1", "top=2x2", "top=1:2", "top=free", "top=0.1xfree"}) {
+    Size_specification specification;
+    specification.add(item);
+    EXPECT_EQ(specification.anisotropic_item(), "") << item;
+  }
+  Size_specification specification;
+  specification.add("top=1:2");
+  specification.add("right=1x1:2x3");
+  EXPECT_EQ(specification.anisotropic_item(), "right=1x1:2x3");
+}
+
 TEST(Size_specification, defaults)
 {
   Planar_domain domain = strip(4);
@@ -103,7 +132,7 @@ TEST(Size_specification, unusable_items)
 {
   const Planar_domain domain = strip(4);
   for (const char* item : {"0", "-1", "nan", "inf", "", "abc", "top=", "=3", "top=1:", "top=1:0", "top=1x", "1:2",
-                           "1x2", "top=1x2", "top=1:2:3", "1e400", "0x10"})
+                           "1x2", "top=1x2x3", "top=1x2:free", "top=1:2:3", "1e400", "0x10"})
     EXPECT_THROW(apply(domain, {item}), Invalid_argument_error) << item;
   try {
     apply(domain, {"lid=1"});

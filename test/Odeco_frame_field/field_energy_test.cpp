@@ -52,6 +52,7 @@ template <int N, Field_energy_kind kind> void expect_right_jacobians()
                                    {0.1, -0.2, 0.3, 0});
   Field_energy<N, kind> energy(elements, 1.5);
   energy.set_size_attraction(0.8);
+  energy.set_grading_attraction(0.4);
   for (std::size_t e = 0; e < 2; ++e)
     for (int repeat = 0; repeat < 10; ++repeat) {
       typename Field_energy<N, kind>::Unknowns x;

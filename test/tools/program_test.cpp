@@ -136,7 +136,7 @@ TEST_F(Program, unusable_arguments)
   expect_failure({"quad", in, "-o"}, 2, "output");
   expect_failure({"quad", in, "-o", out, "--sizes", "1"}, 2, "sizes");
   expect_failure({"quad", in, "-o", out, "--triangle", "1"}, 2, "triangle");
-  expect_failure({"quad", in, "-o", out, "--anisotropic"}, 2, "anisotropic");
+  expect_failure({"quad", in, "-o", out, "--anisotropic", "--isotropic"}, 2, "exclude");
   expect_failure({"quad", in, "-o", out, "--order", "2"}, 2, "order");
   expect_failure({"quad", in, "-o", out, "-o", out}, 2, "named twice");
   expect_failure({"quad", in, "-o", path("out/a.stl")}, 2, "unknown output format");

@@ -53,15 +53,23 @@ Mesh_quality measure_quality(const Labelled_mesh& mesh);
 /// The edges that are in one polygon only, in its direction, sorted.
 std::vector<std::array<int, 2>> border_edges(const Labelled_mesh& mesh);
 
-/// |log(edge length / prescribed size)| over the edges on curves with a prescribed size.
-struct Size_error {
+/// Deviations from a prescription, as |log(actual / prescribed)|.
+struct Log_deviation {
   double mean = 0;
   double max = 0;
-  std::size_t n_edges = 0;
+  std::size_t n = 0;
 };
 
-/// Compares the lengths of `mesh.lines` (or, when it has none, of its border edges) with the sizes at the nearest
-/// points of the domain's curves. Complexity: edges of the mesh times edges on curves of the domain.
+/// How far a mesh is from the sizes that its domain's curves prescribe.
+struct Size_error {
+  Log_deviation length; ///< of the edges on curves with a prescribed size along them
+  /// Of the quads with an edge on a curve that prescribes both sizes: mean length of their two sides that leave that
+  /// edge, over its own length.
+  Log_deviation aspect;
+};
+
+/// Compares `mesh.lines` (or, when it has none, its border edges) and the quads beside them with the sizes at the
+/// nearest points of the domain's curves. Complexity: edges of the mesh times edges on curves of the domain.
 Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& domain, const Domain_sizes& sizes);
 
 } // namespace Quadrille

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,9 @@ struct Planar_domain_options {
   /// triangles for a simple shape, before local refinement). Ignored for mesh files, whose triangles are taken as they
   /// are.
   double triangle_size = 0;
+  /// Largest edge along the curves of a physical group, or along the curve with a tag; names that do not exist are
+  /// ignored. Frames that are thin across a curve need it to be about as small as they are.
+  std::map<std::string, double> curve_triangle_size;
   /// Refine where curvature, short curves and narrow gaps need it.
   bool refine_locally = true;
   double edges_per_circle = 24;   ///< of curvature-based refinement

@@ -4,9 +4,11 @@
 #ifndef QUADRILLE_SIZE_SPECIFICATION_H
 #define QUADRILLE_SIZE_SPECIFICATION_H
 
+#include <Quadrille/Frame_size.h>
 #include <Quadrille/Planar_domain.h>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,13 +16,14 @@ namespace Quadrille {
 
 /// Element sizes along the curves of a planar domain, in the domain's units.
 struct Domain_sizes {
-  /// Per edge of the domain's mesh: the sizes at source and target of `halfedge(edge)`; 0 where none is prescribed
+  /// Per edge of the domain's mesh: the sizes at source and target of `halfedge(edge)`; free where none is prescribed
   /// (inside the regions, and on curves that are only to be aligned with).
-  std::vector<std::array<double, 2>> of_edge;
+  std::vector<std::array<Frame_size, 2>> of_edge;
   /// What was chosen, one sentence per line, for the user.
   std::vector<std::string> notes;
 
-  bool is_prescribed(Planar_domain::edge_descriptor e) const { return of_edge[std::size_t(e.idx())][0] > 0; }
+  /// Whether the lengths of element edges on `e` are prescribed.
+  bool is_prescribed(Planar_domain::edge_descriptor e) const { return of_edge[std::size_t(e.idx())][0].tangential > 0; }
 };
 
 /// What the user says about element sizes, in the notation of the program's option `--size`.
@@ -29,9 +32,11 @@ struct Domain_sizes {
 /// * `NAME=S`: size S on the curves of physical group NAME, or on the curve with tag NAME;
 /// * `NAME=A:B`: from A at the first to B at the last point, linear in arc length. The curves of a group are taken
 ///   together where they join end to end; the curve with the smallest tag says which way is forward;
-/// * `NAME=NxT`: size N across and T along the curve. Isotropic fields need N = T.
+/// * `NAME=NxT`: size N across and T along the curve, which needs an anisotropic field unless N = T;
+/// * `NAME=N1xT1:N2xT2`: both, linear in arc length.
 ///
-/// Later items win over earlier ones.
+/// Instead of a number, `free` leaves a size open: `NAME=free`, `NAME=Nxfree`, `NAME=freexT`. Later items win over
+/// earlier ones.
 class Size_specification {
 public:
   Size_specification() = default;
@@ -42,18 +47,27 @@ public:
 
   bool empty() const { return m_items.empty(); }
 
+  /// The first item that asks for different sizes across and along a curve, which no isotropic field can have; empty if
+  /// there is none.
+  std::string anisotropic_item() const;
+
+  /// The names (or tags) with sizes across that are smaller than those along, and the least of the former.
+  std::map<std::string, double> thin_curves() const;
+
   /// Sizes for every curve of `domain`.
   ///
   /// Curves that no item names take the sizes that the file gives at their points (linear in arc length); where there
   /// are none, they are left free if any item was given, and otherwise get the bounding box's diagonal / 40.
   /// \throws Invalid_argument_error if a name does not exist in `domain` (listing those that do), if A and B differ on
-  /// a closed or branching curve, or if N and T differ.
+  /// a closed or branching curve.
   Domain_sizes apply(const Planar_domain& domain) const;
 
 private:
   struct Item {
     std::string text, name; ///< name is empty for every curve
-    double first = 0, last = 0;
+    Frame_size first, last;
+
+    bool is_constant() const { return first.normal == last.normal && first.tangential == last.tangential; }
   };
   std::vector<Item> m_items;
 };

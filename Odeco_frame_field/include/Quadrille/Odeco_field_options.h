@@ -22,17 +22,21 @@ enum class Field_solver_kind {
 struct Melt_and_freeze_schedule {
   double smooth_epsilon = 2;  ///< of the smooth start
   double melt_epsilon = 20;   ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
-  double size_attraction = 1; ///< weight of the mean squared log(size) against the expected sizes, while melted
-  double noise = 0.9;         ///< on every free coefficient, relative to q0; below about 0.5 nothing happens
-  int melt_steps = 15;        ///< Levenberg-Marquardt steps that take the noise out
-  int soft_iterations = 200;  ///< preconditioned L-BFGS iterations at the melting epsilon
-  double freeze_ratio = 1.5;  ///< between consecutive epsilons
-  int freeze_steps = 5;       ///< Levenberg-Marquardt steps per epsilon
-  double final_epsilon = 2;   ///< small: singularities are sharp, and cannot move any more
-  int final_steps = 40;       ///< at most
+  double size_attraction = 1; ///< weight of the mean squared log(size / expected), while melted
+  /// Anisotropic fields, always: weight of half the integral of |grad log(sqrt(size_u size_v) / expected)|^2. Without
+  /// it sizes may jump next to curves, since integrability does not restrict how a size changes along its own vector.
+  double grading_attraction = 0.1;
+  double noise = 0.9;        ///< on q0, q3, q4, relative to q0 (half on q1, q2); below about 0.5 nothing happens
+  int melt_steps = 15;       ///< Levenberg-Marquardt steps that take the noise out
+  int soft_iterations = 200; ///< preconditioned L-BFGS iterations at the melting epsilon
+  double freeze_ratio = 1.5; ///< between consecutive epsilons
+  int freeze_steps = 5;      ///< Levenberg-Marquardt steps per epsilon
+  double final_epsilon = 2;  ///< small: singularities are sharp, and cannot move any more
+  int final_steps = 40;      ///< at most
 };
 
 struct Odeco_field_options {
+  bool isotropic = true; ///< frames with two equal sizes; otherwise sizes may differ, also where that is not asked for
   Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
   int starts = 8;         ///< number of melted candidates; 0 only relaxes the smooth field
   std::uint64_t seed = 1; ///< of the noise; equal seeds give equal fields
@@ -70,7 +74,7 @@ struct Odeco_field_result {
   double energy = 0;                         ///< E_integ of the chosen field
   double energy_lie = 0;                     ///< its E_Lie; planar-2, eq. (30)
   double energy_odeco = 0;                   ///< its E_odeco / epsilon^2; planar-2, eqs. (31), (33)
-  int free_corners = 0;                      ///< constrained vertices left free
+  int free_corners = 0;                      ///< corners whose direction is left free
   int iterations = 0;                        ///< over all starts
   double seconds = 0;
 };

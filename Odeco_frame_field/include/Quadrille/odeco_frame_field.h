@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_H
 #define QUADRILLE_ODECO_FRAME_FIELD_H
 
+#include <Quadrille/Frame_size.h>
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/Planar_field.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
@@ -22,9 +23,8 @@ struct Edge_frame_constraint {
   bool constrained = false; ///< otherwise the rest is ignored
   bool aligned = true;      ///< frames have one vector along the edge
   /// Element sizes at the source and the target of `halfedge(e, mesh)`, for `e` as it stands in `edges(mesh)`, in the
-  /// mesh's unit; 0 leaves a size free.
-  double source_size = 0;
-  double target_size = 0;
+  /// mesh's unit. Where the edge is not aligned, or the field isotropic, those across and along must not differ.
+  Frame_size source_size, target_size;
 };
 
 /// The pair of gradients (du, dv) that a map should have on a face; sizes of elements are 1 / |du|, 1 / |dv|.
@@ -43,8 +43,9 @@ using Field_evaluator = std::function<double(std::size_t start, const std::vecto
 /// one the lowest energy does (energies are comparable only between equal numbers of singularities, so a map-based
 /// evaluator is better).
 ///
-/// A vertex between constrained edges takes the bisector of their frames and the geometric mean of their sizes;
-/// corners more than 30 degrees off a multiple of 90 degrees are left free.
+/// A vertex between constrained edges takes the bisector of their frames; corners more than 30 degrees off a multiple
+/// of 90 degrees are left free. What the edges prescribe for the same vector of the frame is averaged (geometric mean);
+/// where that differs by more than a factor of 1.5 in an anisotropic field, the vector's size is left free.
 ///
 /// \tparam TriangleMesh model of CGAL's `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam VertexPointMap readable property map, `vertex_descriptor` to a point with `x()` and `y()`

@@ -13,10 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace Quadrille {
@@ -275,24 +277,65 @@ inline Mesh_quality measure_quality(const Labelled_mesh& mesh)
   return quality;
 }
 
+namespace internal {
+
+inline void add_deviation(Log_deviation& deviation, double ratio)
+{
+  const double value = std::abs(std::log(ratio));
+  deviation.mean += (value - deviation.mean) / double(++deviation.n);
+  deviation.max = std::max(deviation.max, value);
+}
+
+/// Per given edge, the mean lengths of the two sides that leave it in each of the quads beside it.
+inline std::vector<std::vector<double>> widths_at_edges(const Labelled_mesh& mesh,
+                                                        const std::vector<std::array<int, 2>>& edges)
+{
+  const auto key = [](int a, int b) {
+    const auto [low, high] = std::minmax(a, b);
+    return (std::uint64_t(low) << 32) | std::uint64_t(high);
+  };
+  const auto length = [&](int a, int b) {
+    const auto &p = mesh.points[std::size_t(a)], &q = mesh.points[std::size_t(b)];
+    return std::hypot(q[0] - p[0], q[1] - p[1]);
+  };
+  std::unordered_map<std::uint64_t, std::size_t> place;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    place.emplace(key(edges[i][0], edges[i][1]), i);
+  std::vector<std::vector<double>> widths(edges.size());
+  for (const std::vector<int>& polygon : mesh.polygons)
+    if (polygon.size() == 4)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const int a = polygon[i], b = polygon[(i + 1) % 4], c = polygon[(i + 2) % 4], d = polygon[(i + 3) % 4];
+        if (const auto edge = place.find(key(a, b)); edge != place.end())
+          widths[edge->second].push_back(0.5 * (length(b, c) + length(d, a)));
+      }
+  return widths;
+}
+
+} // namespace internal
+
 inline Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& domain, const Domain_sizes& sizes)
 {
   const Curve_locator locator(domain);
+  const std::vector<std::array<int, 2>> lines = mesh.lines.empty() ? border_edges(mesh) : mesh.lines;
+  const std::vector<std::vector<double>> widths = internal::widths_at_edges(mesh, lines);
   Size_error error;
-  for (const std::array<int, 2>& line : mesh.lines.empty() ? border_edges(mesh) : mesh.lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::array<int, 2>& line = lines[i];
     const auto &p = mesh.points[std::size_t(line[0])], &q = mesh.points[std::size_t(line[1])];
     const auto place = locator.nearest(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]));
     if (!sizes.is_prescribed(place.edge))
       continue;
-    const std::array<double, 2>& ends = sizes.of_edge[std::size_t(place.edge.idx())];
-    const double size = ends[0] + place.parameter * (ends[1] - ends[0]);
-    const double value = std::abs(std::log(std::hypot(q[0] - p[0], q[1] - p[1]) / size));
-    error.mean += value;
-    error.max = std::max(error.max, value);
-    ++error.n_edges;
+    const std::array<Frame_size, 2>& ends = sizes.of_edge[std::size_t(place.edge.idx())];
+    const auto between = [&](double a, double b) { return a + place.parameter * (b - a); };
+    const double size = between(ends[0].tangential, ends[1].tangential);
+    const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
+    internal::add_deviation(error.length, length / size);
+    const double width = between(ends[0].normal, ends[1].normal);
+    if (width > 0)
+      for (const double actual : widths[i])
+        internal::add_deviation(error.aspect, (actual / length) / (width / size));
   }
-  if (error.n_edges > 0)
-    error.mean /= double(error.n_edges);
   return error;
 }
 

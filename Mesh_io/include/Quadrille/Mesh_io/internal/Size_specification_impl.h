@@ -20,9 +20,11 @@
 namespace Quadrille {
 namespace internal {
 
-/// A positive finite number that takes up all of `text`. Decimal point whatever the locale.
+/// A positive finite number that takes up all of `text`, or 0 for `free`. Decimal point whatever the locale.
 inline double parse_size(const std::string& text, const std::string& item)
 {
+  if (text == "free")
+    return 0;
   double value = 0;
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
@@ -31,6 +33,15 @@ inline double parse_size(const std::string& text, const std::string& item)
   if (!std::isfinite(value) || value <= 0)
     throw Invalid_argument_error("size '" + item + "': element sizes must be positive, '" + text + "' is not");
   return value;
+}
+
+/// `S` or `NxT`.
+inline Frame_size parse_frame_size(const std::string& text, const std::string& item)
+{
+  const std::size_t times = text.find('x');
+  if (times == std::string::npos)
+    return parse_size(text, item);
+  return {parse_size(text.substr(0, times), item), parse_size(text.substr(times + 1), item)};
 }
 
 inline std::string format_number(double value)
@@ -98,8 +109,12 @@ public:
   Size_setter(const Planar_domain& domain, Domain_sizes& sizes) : m_domain(domain), m_sizes(sizes) {}
 
   /// From `first` to `last`, linear in the arc length of the whole sequence.
-  void set_linear(const Curve_sequence& sequence, double first, double last)
+  void set_linear(const Curve_sequence& sequence, const Frame_size& first, const Frame_size& last)
   {
+    const auto between = [&](double t) {
+      return Frame_size(first.normal + (last.normal - first.normal) * t,
+                        first.tangential + (last.tangential - first.tangential) * t);
+    };
     double length = 0;
     for (const auto& [c, forward] : sequence.curves)
       length += curve_length(c);
@@ -110,26 +125,24 @@ public:
         const auto h = forward ? path[i] : m_domain.mesh.opposite(path[path.size() - 1 - i]);
         const double next = s + edge_length(h);
         const bool is_end = c == sequence.curves.back().first && i + 1 == path.size();
-        const double a = first + (last - first) * (s / length);
-        const double b = is_end ? last : first + (last - first) * (next / length);
-        set(h, a, b);
+        set(h, between(s / length), is_end ? last : between(next / length));
         s = next;
       }
     }
   }
 
-  void set_constant(int c, double size)
+  void set_constant(int c, const Frame_size& size)
   {
     for (const auto h : m_domain.curves[std::size_t(c)].path)
       set(h, size, size);
   }
 
 private:
-  void set(Planar_domain::halfedge_descriptor h, double at_source, double at_target)
+  void set(Planar_domain::halfedge_descriptor h, const Frame_size& at_source, const Frame_size& at_target)
   {
     // The halfedge of `mesh.edge(h)` is `h`; sizes follow those of the edges as `mesh.edges()` has them.
     const Planar_domain::edge_descriptor e(m_domain.mesh.edge(h).idx());
-    std::array<double, 2>& size = m_sizes.of_edge[std::size_t(e.idx())];
+    std::array<Frame_size, 2>& size = m_sizes.of_edge[std::size_t(e.idx())];
     size = {at_source, at_target};
     if (m_domain.mesh.halfedge(e) != h)
       std::swap(size[0], size[1]);
@@ -225,26 +238,42 @@ inline void Size_specification::add(const std::string& text)
     if (item.name.empty())
       throw Invalid_argument_error("size '" + text + "': there is no name before '='");
   }
-  const std::size_t colon = value.find(':'), times = value.find('x');
-  if (colon != std::string::npos || times != std::string::npos) {
-    if (item.name.empty())
-      throw Invalid_argument_error("size '" + text + "': A:B and NxT need the name of a curve, as in NAME=" + text);
-    const std::size_t split = std::min(colon, times);
-    item.first = internal::parse_size(value.substr(0, split), text);
-    item.last = internal::parse_size(value.substr(split + 1), text);
-    if (times < colon && item.first != item.last)
-      throw Invalid_argument_error("size '" + text + "': different sizes across and along a curve are anisotropic, " +
-                                   "which needs --anisotropic; that is not available yet, so give equal sizes");
-  } else {
-    item.first = item.last = internal::parse_size(value, text);
-  }
+  const std::size_t colon = value.find(':');
+  if (item.name.empty() && (colon != std::string::npos || value.find('x') != std::string::npos))
+    throw Invalid_argument_error("size '" + text + "': A:B and NxT need the name of a curve, as in NAME=" + text);
+  item.first = item.last = internal::parse_frame_size(value.substr(0, colon), text);
+  if (colon != std::string::npos)
+    item.last = internal::parse_frame_size(value.substr(colon + 1), text);
+  if ((item.first.normal > 0) != (item.last.normal > 0) || (item.first.tangential > 0) != (item.last.tangential > 0))
+    throw Invalid_argument_error("size '" + text + "': what is free at one end has to be free at the other");
   m_items.push_back(std::move(item));
+}
+
+inline std::string Size_specification::anisotropic_item() const
+{
+  for (const Item& item : m_items)
+    for (const Frame_size& size : {item.first, item.last})
+      if (size.normal != size.tangential && size.normal > 0 && size.tangential > 0)
+        return item.text;
+  return {};
+}
+
+inline std::map<std::string, double> Size_specification::thin_curves() const
+{
+  std::map<std::string, double> result;
+  for (const Item& item : m_items)
+    for (const Frame_size& size : {item.first, item.last})
+      if (size.normal > 0 && size.normal < size.tangential) {
+        const auto place = result.emplace(item.name, size.normal).first;
+        place->second = std::min(place->second, size.normal);
+      }
+  return result;
 }
 
 inline Domain_sizes Size_specification::apply(const Planar_domain& domain) const
 {
   Domain_sizes sizes;
-  sizes.of_edge.assign(domain.mesh.number_of_edges(), {0, 0});
+  sizes.of_edge.resize(domain.mesh.number_of_edges());
   internal::Size_setter setter(domain, sizes);
 
   const Item* everywhere = nullptr;
@@ -272,7 +301,7 @@ inline Domain_sizes Size_specification::apply(const Planar_domain& domain) const
       throw Invalid_argument_error("size '" + item.text + "': there is no curve named '" + item.name + "' in " +
                                    domain.source + " (" + internal::list_of_names(domain) + ")");
     std::vector<internal::Curve_sequence> sequences;
-    if (item.first == item.last) {
+    if (item.is_constant()) {
       for (const int c : curves)
         setter.set_constant(c, item.first);
     } else if (!internal::arrange_in_sequences(domain, curves, sequences)) {

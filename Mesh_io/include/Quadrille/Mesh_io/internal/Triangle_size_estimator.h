@@ -16,6 +16,7 @@
 #include <map>
 #include <numeric>
 #include <queue>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -120,13 +121,24 @@ private:
     for (std::size_t c = 0; c < m_outline.curves.size(); ++c) {
       const Outline::Curve& curve = m_outline.curves[c];
       std::vector<double> size = sizes_by_curvature(curve);
-      const double by_elements = size_by_elements(curve);
+      const double by_elements = std::min(size_by_elements(curve), size_by_name(curve));
       for (std::size_t i = 1; i < size.size(); ++i)
         m_sources.push_back({curve.position[i - 1], curve.position[i],
                              std::clamp(std::min({size[i - 1], size[i], sides[c] / 3,
                                                   outlines[c] / m_options.edges_per_outline, by_elements}),
                                         m_smallest, m_largest)});
     }
+  }
+
+  /// What the options say about the curve by its names or tag.
+  double size_by_name(const Outline::Curve& curve) const
+  {
+    double size = m_largest;
+    for (const auto& [name, curve_size] : m_options.curve_triangle_size)
+      if (name == std::to_string(curve.label.tag) ||
+          std::find(curve.label.names.begin(), curve.label.names.end(), name) != curve.label.names.end())
+        size = std::min(size, curve_size);
+    return size;
   }
 
   /// Small elements ask for a field of some resolution; but the number of triangles must not follow theirs.

@@ -29,7 +29,8 @@ public:
   static constexpr int max_unknowns = 3 * N;
   static constexpr int first_odeco_row = integrable ? 2 * points : 2 * N;
   static constexpr int first_size_row = first_odeco_row + odeco * points;
-  static constexpr int max_residuals = first_size_row + (integrable ? points : 0);
+  static constexpr int first_grading_row = first_size_row + (integrable ? points : 0);
+  static constexpr int max_residuals = first_grading_row + (integrable && N == 5 ? 2 : 0);
   using Coefficients = typename Traits::Vector;
   using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
   using Residuals = Eigen::Matrix<double, max_residuals, 1>;
@@ -46,6 +47,10 @@ public:
   /// Adds `weight` times half the mean over the domain of the squared logarithm of size against the expected one. It
   /// decides between fields that are equally integrable, as along the flat valleys of a melted field.
   void set_size_attraction(double weight) { m_size_attraction = weight; }
+
+  /// Adds `weight` times half the integral of the squared gradient of that logarithm: sizes then change no faster than
+  /// expected. An anisotropic field without it is free to change its sizes across straight curves at once.
+  void set_grading_attraction(double weight) { m_grading_attraction = weight; }
 
   std::size_t number_of_elements() const { return m_elements->number_of_elements(); }
   int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
@@ -65,8 +70,11 @@ public:
       add_dirichlet(element, q, r, J ? &by_coefficients : nullptr);
     inside = inside && add_odeco(element, q, r, J ? &by_coefficients : nullptr);
     if constexpr (integrable)
-      if (inside)
+      if (inside) {
         add_size_attraction(element, q, r, J ? &by_coefficients : nullptr);
+        if constexpr (N == 5)
+          add_grading_attraction(element, q, r, J ? &by_coefficients : nullptr);
+      }
     if (inside && J)
       m_elements->restrict_jacobian(e, by_coefficients, *J);
     return inside;
@@ -160,9 +168,9 @@ private:
   void add_size_attraction(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
   {
     if (m_size_attraction == 0) {
-      r.template tail<points>().setZero();
+      r.template segment<points>(first_size_row).setZero();
       if (J)
-        J->template bottomRows<points>().setZero();
+        J->template middleRows<points>(first_size_row).setZero();
       return;
     }
     double expected[3];
@@ -181,9 +189,45 @@ private:
     }
   }
 
+  /// At the centroid. \pre `q` has a positive area at the quadrature points, whose mean the centroid is.
+  void add_grading_attraction(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
+  {
+    if (m_grading_attraction == 0) {
+      r.template tail<2>().setZero();
+      if (J)
+        J->template bottomRows<2>().setZero();
+      return;
+    }
+    const double factor = std::sqrt(m_grading_attraction * element.area);
+    Coefficients area_derivatives;
+    const double area = Traits::area((q[0] + q[1] + q[2]) / 3, &area_derivatives);
+    for (int a = 0; a < 2; ++a) {
+      Coefficients slope = Coefficients::Zero();
+      double expected = 0;
+      for (int k = 0; k < 3; ++k) {
+        slope += element.gradient(a, k) * q[std::size_t(k)];
+        expected += element.gradient(a, k) * m_elements->expected_log_size(std::size_t(element.vertex[std::size_t(k)]));
+      }
+      // The area is a quadratic form, so its derivatives are linear in the coefficients.
+      Coefficients slope_derivatives;
+      Traits::area(slope, &slope_derivatives);
+      const double log_slope = 0.5 * area_derivatives.dot(slope) / area;
+      const int row = first_grading_row + a;
+      r[row] = factor * (log_slope - expected);
+      if (J)
+        for (int k = 0; k < 3; ++k)
+          J->template block<1, N>(row, k * N) = factor *
+                                                ((0.5 * slope_derivatives - log_slope * area_derivatives) / 3 +
+                                                 0.5 * element.gradient(a, k) * area_derivatives)
+                                                    .transpose() /
+                                                area;
+    }
+  }
+
   const Field_elements<N>* m_elements;
   double m_relative_epsilon;
   double m_size_attraction = 0;
+  double m_grading_attraction = 0;
 };
 
 } // namespace internal

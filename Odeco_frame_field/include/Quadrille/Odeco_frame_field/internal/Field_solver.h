@@ -45,6 +45,8 @@ public:
     if (kind == Field_solver_kind::lbfgs)
       throw Invalid_argument_error("the L-BFGS reference solver needs ALGLIB, which this build does not have");
 #endif
+    if constexpr (N == 5)
+      m_integrability.set_grading_attraction(schedule.grading_attraction);
     if (elements.number_of_unknowns() > 0)
       m_solver.analyze(m_integrable_problem.gauss_newton_matrix());
   }
@@ -60,8 +62,8 @@ public:
     return x;
   }
 
-  /// A local minimum of E_integ at the final epsilon, from noise around `smooth`.
-  Eigen::VectorXd melt_and_freeze(const Eigen::VectorXd& smooth, std::uint64_t seed)
+  /// Takes the noise around `smooth` out at the melting epsilon.
+  Eigen::VectorXd melt(const Eigen::VectorXd& smooth, std::uint64_t seed)
   {
     Eigen::VectorXd x = perturbed(smooth, seed);
     m_integrability.set_relative_epsilon(m_schedule.melt_epsilon);
@@ -70,7 +72,14 @@ public:
     options.max_iterations = m_schedule.melt_steps;
     options.relative_decrease = 1e-5;
     minimize(m_integrable_problem, x, options);
+    return x;
+  }
 
+  /// Lets the singularities of a melted field settle, at the melting epsilon.
+  void settle(Eigen::VectorXd& x)
+  {
+    m_integrability.set_relative_epsilon(m_schedule.melt_epsilon);
+    m_integrability.set_size_attraction(m_schedule.size_attraction);
     Preconditioned_lbfgs_options soft;
     soft.max_iterations = m_schedule.soft_iterations;
     soft.relative_decrease = 1e-4;
@@ -79,17 +88,21 @@ public:
     soft.stage = "field";
     if (x.size() > 0)
       m_iterations += minimize_preconditioned_lbfgs(m_integrable_problem, x, soft, &m_solver).iterations;
+  }
 
+  /// From a settled field to a local minimum of E_integ at the final epsilon.
+  void freeze(Eigen::VectorXd& x)
+  {
     m_integrability.set_size_attraction(0);
-    double epsilon = m_schedule.melt_epsilon / m_schedule.freeze_ratio;
+    Levenberg_marquardt_options options;
     options.max_iterations = m_schedule.freeze_steps;
     options.relative_decrease = 1e-3;
-    for (; epsilon > m_schedule.final_epsilon; epsilon /= m_schedule.freeze_ratio) {
+    for (double epsilon = m_schedule.melt_epsilon / m_schedule.freeze_ratio; epsilon > m_schedule.final_epsilon;
+         epsilon /= m_schedule.freeze_ratio) {
       m_integrability.set_relative_epsilon(epsilon);
       minimize(m_integrable_problem, x, options);
     }
     integrate(x);
-    return x;
   }
 
   /// Minimises E_integ at the final epsilon.
@@ -176,11 +189,14 @@ private:
       const double size = std::exp(m_elements.expected_log_size(v));
       q[0] = size * Tensor_coefficients<N>::from_harmonics(odeco_harmonics({}))[0];
       const double amplitude = m_schedule.noise * q[0];
-      // The degree 2 coefficients could make the area negative together with q0.
-      const double factor[5] = {1, N == 3 ? 1 : 0.3, N == 3 ? 1 : 0.3, 1, 1};
-      for (int i = 0; i < N; ++i)
-        q[i] += amplitude * factor[i] * noise();
+      for (const int i : {0, Tensor_coefficients<N>::band4, Tensor_coefficients<N>::band4 + 1})
+        q[i] += amplitude * noise();
+      if constexpr (N == 5) // relative to the new q0, so that areas stay positive
+        for (const int i : {1, 2})
+          q[i] = 0.5 * m_schedule.noise * q[0] * noise();
       m_elements.assign_coefficients(v, q, x);
+      if (!(Tensor_coefficients<N>::area(m_elements.coefficients(v, x), nullptr) > 0))
+        m_elements.assign_coefficients(v, m_elements.coefficients(v, smooth), x);
     }
     return x;
   }

@@ -29,10 +29,22 @@ inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges
     throw Invalid_input_error("no edge is constrained, so any constant field would do; align the frames with the "
                               "boundary at least");
   for (const Constrained_halfedge& edge : edges)
-    for (const double size : edge.size)
-      if (!(size >= 0) || !std::isfinite(size))
-        throw Invalid_argument_error("an edge has the prescribed size " + std::to_string(size) +
-                                     "; sizes must be positive and finite (0 leaves a size free)");
+    for (const Frame_size& size : edge.size) {
+      for (const double value : {size.normal, size.tangential})
+        if (!(value >= 0) || !std::isfinite(value))
+          throw Invalid_argument_error("an edge has the prescribed size " + std::to_string(value) +
+                                       "; sizes must be positive and finite (0 leaves a size free)");
+      if (size.normal == size.tangential)
+        continue;
+      if (!edge.aligned)
+        throw Invalid_argument_error("an edge that frames need not align with has different sizes across and along it; "
+                                     "prescribe one size, or align the frames");
+      if (options.isotropic && size.normal > 0 && size.tangential > 0)
+        throw Invalid_argument_error("an edge has the prescribed sizes " + std::to_string(size.normal) +
+                                     " across and " + std::to_string(size.tangential) +
+                                     " along it; isotropic frames have one size, so make them equal or the field "
+                                     "anisotropic");
+    }
   const Melt_and_freeze_schedule& schedule = options.schedule;
   if (options.starts < 0 || options.threads < 0)
     throw Invalid_argument_error("the numbers of starts and of threads must not be negative");
@@ -73,6 +85,9 @@ inline std::vector<double> local_triangle_sizes(const Indexed_triangulation& mes
 
 /// One frame per face from the mean of its corners' coefficients; planar-2, section 7.1. Empty if a size is not
 /// positive.
+///
+/// The sizes of planar-2's eq. (35) keep their ratio but take the area of eq. (21): where the tensor melts around a
+/// singularity the former shrink by up to a quarter, the area does not.
 template <int N>
 std::vector<Orthogonal_frame_2> face_frames(const Field_elements<N>& elements, const Eigen::VectorXd& x)
 {
@@ -82,10 +97,14 @@ std::vector<Orthogonal_frame_2> face_frames(const Field_elements<N>& elements, c
   std::vector<Orthogonal_frame_2> frames(elements.number_of_elements());
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const auto& vertex = elements.element(f).vertex;
-    frames[f] = recover_frame(Tensor_coefficients<N>::harmonics(
-        (q[std::size_t(vertex[0])] + q[std::size_t(vertex[1])] + q[std::size_t(vertex[2])]) / 3));
+    const typename Field_elements<N>::Coefficients mean =
+        (q[std::size_t(vertex[0])] + q[std::size_t(vertex[1])] + q[std::size_t(vertex[2])]) / 3;
+    frames[f] = recover_frame(Tensor_coefficients<N>::harmonics(mean));
     if (!(frames[f].size_u > 0) || !(frames[f].size_v > 0))
       return {};
+    const double scale = std::sqrt(Tensor_coefficients<N>::area(mean, nullptr) / (frames[f].size_u * frames[f].size_v));
+    frames[f].size_u *= scale;
+    frames[f].size_v *= scale;
   }
   return frames;
 }
@@ -138,11 +157,12 @@ private:
     double log_size = 0;
     int n_sizes = 0;
     for (const Constrained_halfedge& edge : edges)
-      for (const double size : edge.size)
-        if (size > 0) {
-          log_size += std::log(size);
-          ++n_sizes;
-        }
+      for (const Frame_size& size : edge.size)
+        for (const double value : {size.normal, size.tangential})
+          if (value > 0) {
+            log_size += std::log(value);
+            ++n_sizes;
+          }
     const int first = edges.front().halfedge;
     return {points, points[std::size_t(mesh.target(first))] - points[std::size_t(mesh.source(first))],
             n_sizes > 0 ? std::exp(log_size / n_sizes) : 1};
@@ -155,12 +175,13 @@ private:
     for (const Eigen::Vector2d& p : points)
       canonical_points.push_back(m_position.point(p));
     for (Constrained_halfedge& edge : edges)
-      for (double& size : edge.size)
-        size = m_position.size(size);
+      for (Frame_size& size : edge.size)
+        size = {m_position.size(size.normal), m_position.size(size.tangential)};
     std::vector<Vertex_restriction<N>> restrictions;
     const std::vector<Vertex_constraint> constraints = collect_vertex_constraints(mesh, canonical_points, edges);
     for (const Vertex_constraint& constraint : constraints) {
-      restrictions.push_back(isotropic_restriction(constraint));
+      restrictions.emplace_back();
+      restrict_vertex(constraint, restrictions.back());
       m_result.free_corners += constraint.is_free_corner() ? 1 : 0;
     }
     return Field_elements<N>(mesh, canonical_points, local_triangle_sizes(mesh, canonical_points),
@@ -191,7 +212,9 @@ private:
     Field_start start;
     start.kind = Field_start::Kind::melted;
     start.seed = m_options.seed + i;
-    m_fields[i + 2] = solver.melt_and_freeze(m_fields[0], start.seed);
+    m_fields[i + 2] = solver.melt(m_fields[0], start.seed);
+    solver.settle(m_fields[i + 2]);
+    solver.freeze(m_fields[i + 2]);
     start.iterations = solver.iterations();
     finish_start(i + 2, start, solver, watch);
   }
@@ -267,7 +290,9 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
                                              const Planar_field<3>::Evaluator& evaluator, Gradients& gradients)
 {
   check_field_arguments(edges, options);
-  return Planar_field<3>(mesh, points, edges, options, evaluator).solve(gradients);
+  if (options.isotropic)
+    return Planar_field<3>(mesh, points, edges, options, evaluator).solve(gradients);
+  return Planar_field<5>(mesh, points, edges, options, evaluator).solve(gradients);
 }
 
 } // namespace internal

@@ -25,12 +25,12 @@ inline std::vector<double> harmonic_log_sizes(const Indexed_triangulation& mesh,
   std::vector<int> unknown(points.size(), -1);
   int n = 0;
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (constraints[v].n_sizes > 0)
-      log_sizes[v] = std::log(constraints[v].size());
+    if (constraints[v].has_size())
+      log_sizes[v] = std::log(constraints[v].mean_size());
     else if (mesh.outgoing(int(v)) >= 0)
       unknown[v] = n++;
   }
-  if (n == 0 || std::none_of(constraints.begin(), constraints.end(), [](const auto& c) { return c.n_sizes > 0; }))
+  if (n == 0 || std::none_of(constraints.begin(), constraints.end(), [](const auto& c) { return c.has_size(); }))
     return log_sizes;
 
   std::vector<Eigen::Triplet<double>> entries;
