@@ -5,7 +5,7 @@ set -euo pipefail
 packages=(
   cmake ninja-build g++ ccache
   libcgal-dev libeigen3-dev libboost-dev libboost-program-options-dev libtbb-dev
-  libsuitesparse-dev libalglib-dev
+  libsuitesparse-dev libalglib-dev coinor-libcbc-dev
   # A fast BLAS that several threads may call at once, which OpenBLAS's serial package does not allow.
   libopenblas-dev
   libgmsh-dev nlohmann-json3-dev

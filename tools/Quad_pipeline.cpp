@@ -51,7 +51,7 @@ double cost(const Seamless_map<Mesh>& map) { return map.flipped == 0 ? map.integ
 /// Map and quads of one start's field. `result` is filled as far as that gets.
 void mesh_start(const Planar_domain& domain, std::size_t start, const std::vector<Gradient_pair>& gradients,
                 const Seamless_parametrization_options& map_options, const Quad_extraction_options& extraction_options,
-                Quad_pipeline_result& result)
+                Quantizer_kind quantizer, Quad_pipeline_result& result)
 {
   result.gradients = gradients;
   result.field->chosen = int(start);
@@ -59,9 +59,9 @@ void mesh_start(const Planar_domain& domain, std::size_t start, const std::vecto
   result.field->energy_lie = result.field->starts[start].energy_lie;
   result.field->energy_odeco = result.field->energy - result.field->energy_lie;
   result.map = integrate(domain, result.gradients, map_options, result.corner_uv);
-  result.extraction =
-      extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
-                    domain.region_map(), result.quads, extraction_options, Greedy_quantizer(), Curve_projector(domain));
+  result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
+                                    domain.region_map(), result.quads, extraction_options, Chosen_quantizer(quantizer),
+                                    Curve_projector(domain));
 }
 
 /// What a user feels of a mesh: its mean skew and the mean error of the prescribed sizes, in units of what is still
@@ -136,7 +136,7 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
     ++n_meshed;
     Quad_pipeline_result attempt = result;
     try {
-      mesh_start(domain, start, candidates[start], map_options, extraction_options, attempt);
+      mesh_start(domain, start, candidates[start], map_options, extraction_options, options.quantizer, attempt);
       const double score = mesh_score(domain, constraints, attempt);
       if (score < best_score) {
         best_score = score;

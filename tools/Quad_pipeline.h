@@ -4,6 +4,8 @@
 #ifndef QUADRILLE_TOOLS_QUAD_PIPELINE_H
 #define QUADRILLE_TOOLS_QUAD_PIPELINE_H
 
+#include "quantizer_option.h"
+
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/odeco_frame_field.h>
 #include <Quadrille/quad_extraction.h>
@@ -19,6 +21,7 @@ struct Quad_pipeline_options {
   Odeco_field_options field; ///< its threads are used for the whole pipeline
   Seamless_parametrization_options map;
   Quad_extraction_options extraction;
+  Quantizer_kind quantizer = default_quantizer();
   int max_meshed_starts = 8;      ///< of the starts with the best maps, so many are meshed; the best mesh is kept
   double meshed_cost_ratio = 1.5; ///< but not those whose cost is more than this times the least
   const Progress_observer* observer = nullptr;

@@ -60,7 +60,13 @@ po::options_description quad_options()
   options.add_options()("starts", po::value<Strings>()->value_name("N"), "number of starts of the field (default 8)");
   options.add_options()("seed", po::value<Strings>()->value_name("K"), "seed of the starts (default 1)");
   options.add_options()("threads", po::value<Strings>()->value_name("T"), "threads (default 0: all cores)");
-  options.add_options()("quantizer", po::value<Strings>()->value_name("greedy"), "how lengths are made integer");
+  options.add_options()("layout", po::value<Strings>()->value_name("t-mesh|base-complex"),
+                        "separatrices stop where they meet earlier ones (default), or go on to their natural ends");
+  options.add_options()("quantizer", po::value<Strings>()->value_name("optimal|greedy"),
+                        Optimal_quantizer::is_available() ? "how lengths are made integer (default optimal)"
+                                                          : "how lengths are made integer (this build: greedy only)");
+  options.add_options()("count", po::value<Strings>()->value_name("NAME=N"),
+                        "exactly N elements on a physical group or curve tag, repeatable");
   options.add_options()("field", po::value<Strings>()->value_name("F.vtu"), "write the frame field");
   options.add_options()("map", po::value<Strings>()->value_name("F.obj"), "write the map as texture coordinates");
   options.add_options()("picture", po::value<Strings>()->value_name("F.svg|F.png"), "draw field, map, layout and mesh");
@@ -165,9 +171,21 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   result.anisotropic = options.has("anisotropic");
   if (result.anisotropic && options.has("isotropic"))
     throw Invalid_argument_error("options --isotropic and --anisotropic exclude each other");
-  const std::string quantizer = options.one("quantizer", "greedy");
-  if (quantizer != "greedy")
-    throw Invalid_argument_error("option --quantizer: '" + quantizer + "' is not known; 'greedy' is");
+  if (options.has("quantizer")) {
+    const std::string quantizer = options.one("quantizer");
+    if (quantizer != "greedy" && quantizer != "optimal")
+      throw Invalid_argument_error("option --quantizer: '" + quantizer + "' is neither greedy nor optimal");
+    if (quantizer == "optimal" && !Optimal_quantizer::is_available())
+      throw Invalid_argument_error("option --quantizer: 'optimal' needs the solver CBC, which is not built in");
+    result.quantizer = quantizer == "optimal" ? Quantizer_kind::optimal : Quantizer_kind::greedy;
+  }
+  const std::string layout = options.one("layout", "t-mesh");
+  if (layout != "t-mesh" && layout != "base-complex")
+    throw Invalid_argument_error("option --layout: '" + layout + "' is neither t-mesh nor base-complex");
+  if (layout == "base-complex")
+    result.layout = Layout_kind::base_complex;
+  for (const std::string& count : options.all("count"))
+    result.counts.push_back(parse_count(count));
   result.starts = options.number("starts", result.starts, 0);
   result.seed = options.number<std::uint64_t>("seed", result.seed, 0);
   result.threads = options.number("threads", 0, 0);

@@ -4,7 +4,11 @@
 #ifndef QUADRILLE_TOOLS_COMMAND_LINE_H
 #define QUADRILLE_TOOLS_COMMAND_LINE_H
 
+#include "count_option.h"
+#include "quantizer_option.h"
+
 #include <Quadrille/Odeco_field_options.h>
+#include <Quadrille/Quad_extraction_options.h>
 
 #include <cstdint>
 #include <optional>
@@ -21,6 +25,9 @@ struct Quad_arguments {
   std::vector<std::string> sizes;
   double triangle_size = 0; ///< 0: chosen from the domain
   bool anisotropic = false;
+  Quantizer_kind quantizer = default_quantizer();
+  Layout_kind layout = Quad_extraction_options().layout;
+  std::vector<Count_request> counts;
   Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
   int starts = Odeco_field_options().starts;
   std::uint64_t seed = Odeco_field_options().seed;

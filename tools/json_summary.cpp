@@ -120,13 +120,22 @@ void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Js
   }
   if (result.extraction) {
     const Quad_extraction_result& extraction = *result.extraction;
-    summary["layout"] = {{"patches", extraction.layout.patches.size()},
+    summary["layout"] = {{"kind", extraction.layout.kind == Layout_kind::t_mesh ? "t-mesh" : "base-complex"},
+                         {"patches", extraction.layout.patches.size()},
                          {"arcs", extraction.layout.arcs.size()},
                          {"seconds", extraction.layout_seconds}};
-    summary["quantization"] = {{"method", "greedy"},
-                               {"area_change_relative", extraction.area_change_relative},
-                               {"collapsed_strips", extraction.collapsed_strips},
-                               {"seconds", extraction.quantization_seconds}};
+    const Quantization& quantization = extraction.quantization;
+    Json& json = summary["quantization"];
+    json = {{"method", quantization.method},
+            {"area_change_relative", extraction.area_change_relative},
+            {"deviation", quantization.deviation}};
+    if (quantization.optimality_gap >= 0)
+      json["optimality_gap"] = quantization.optimality_gap;
+    json["collapsed_arcs"] = extraction.collapsed_arcs;
+    json["repetitions"] = quantization.repetitions;
+    if (!quantization.note.empty())
+      json["note"] = quantization.note;
+    json["seconds"] = extraction.quantization_seconds;
   }
 }
 

@@ -107,6 +107,7 @@ private:
                                    "': different sizes across and along a curve need anisotropic frames; add "
                                    "--anisotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
+    m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     std::ostringstream line;
     line << m_arguments.input << ": " << m_domain.mesh.number_of_faces() << " triangles";
     if (m_domain.triangle_size > 0)
@@ -126,6 +127,9 @@ private:
     options.field.starts = m_arguments.starts;
     options.field.seed = m_arguments.seed;
     options.field.threads = m_arguments.threads;
+    options.extraction.layout = m_arguments.layout;
+    options.extraction.counts = m_counts;
+    options.quantizer = m_arguments.quantizer;
     options.observer = &m_console.observer();
     run_quad_pipeline(m_domain, constraints_of(m_domain, m_sizes), options, m_result);
     const auto start = std::chrono::steady_clock::now();
@@ -175,6 +179,8 @@ private:
 
   void report()
   {
+    if (!m_result.extraction->quantization.note.empty())
+      m_console.print(m_result.extraction->quantization.note);
     std::ostringstream line;
     line.precision(3);
     line << "integration error " << m_result.map->integration_error << " (smooth field: ";
@@ -200,6 +206,7 @@ private:
   std::chrono::steady_clock::time_point m_start;
   Planar_domain m_domain;
   Domain_sizes m_sizes;
+  std::vector<Curve_count> m_counts;
   Quad_pipeline_result m_result;
   Labelled_mesh m_mesh;
   std::optional<Mesh_summary> m_mesh_summary;

@@ -36,9 +36,11 @@ template <class Key, class Value> struct Readable_map_archetype {
 class Quantizer_archetype {
 public:
   explicit Quantizer_archetype(int length) : m_length(length) {}
-  std::vector<int> operator()(const Quadrille::Quad_layout& layout, Quadrille::Strip_constraints&) const
+  Quadrille::Quantization operator()(const Quadrille::Quad_layout& layout, Quadrille::Length_constraints&) const
   {
-    return std::vector<int>(layout.strips.size(), m_length);
+    Quadrille::Quantization result;
+    result.lengths.assign(layout.arcs.size(), m_length);
+    return result;
   }
 
 private:

@@ -23,9 +23,11 @@ using Mesh = CGAL::Surface_mesh<Point_2>;
 
 /// A layout with its map, from index arrays.
 struct Traced {
-  explicit Traced(const Mapped_mesh& mesh, std::size_t max_steps = 100000)
+  explicit Traced(const Mapped_mesh& mesh, Quadrille::Layout_kind kind = Quadrille::Layout_kind::base_complex,
+                  std::size_t max_steps = 100000)
       : triangulation(mesh.points.size(), mesh.triangles), map(triangulation, mesh.corner_uv, mesh.curve, mesh.region),
-        layout(Quadrille::internal::extraction::build_layout(map, std::vector<char>(mesh.points.size(), 0), max_steps))
+        layout(Quadrille::internal::extraction::build_layout(map, std::vector<char>(mesh.points.size(), 0), kind,
+                                                             max_steps))
   {
   }
 

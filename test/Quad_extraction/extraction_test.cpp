@@ -123,9 +123,11 @@ TEST(Extract_quads, thin_strip_between_two_corners_collapses)
 {
   Glued_rectangles domain = cell_grid(3, 3, [](int i, int j) { return (i != 0 || j != 0) && (i != 2 || j != 2); });
   domain.length = [](int a, int b) { return std::abs(a - b) == 1 && std::min(a, b) % 4 == 1 ? 0.2 : 3.0; };
-  const Extracted extracted = extract(domain.build());
+  Quadrille::Quad_extraction_options options;
+  options.layout = Quadrille::Layout_kind::base_complex;
+  const Extracted extracted = extract(domain.build(), options);
   expect_valid(extracted, 1);
-  EXPECT_EQ(extracted.result.collapsed_strips, 1);
+  EXPECT_EQ(extracted.result.collapsed_arcs, 4);
   EXPECT_EQ(extracted.quads.number_of_faces(), 36U);
 }
 
@@ -280,15 +282,20 @@ TEST(Extract_quads, can_be_cancelled)
 // random features. Singularities everywhere, and many strips too thin to keep.
 TEST(Extract_quads, random_domains)
 {
-  int collapsed = 0;
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    const Glued_rectangles domain = random_domain(seed);
-    const Mapped_mesh mesh = domain.build();
-    const Quadrille::internal::Indexed_triangulation triangulation(mesh.points.size(), mesh.triangles);
-    SCOPED_TRACE(seed);
-    const Extracted extracted = extract(mesh);
-    expect_valid(extracted, triangulation.euler_characteristic());
-    collapsed += extracted.result.collapsed_strips;
+  using Quadrille::Layout_kind;
+  for (const Layout_kind layout : {Layout_kind::base_complex, Layout_kind::t_mesh}) {
+    int collapsed = 0;
+    for (unsigned seed = 0; seed < 60; ++seed) {
+      const Glued_rectangles domain = random_domain(seed);
+      const Mapped_mesh mesh = domain.build();
+      const Quadrille::internal::Indexed_triangulation triangulation(mesh.points.size(), mesh.triangles);
+      SCOPED_TRACE(seed);
+      Quadrille::Quad_extraction_options options;
+      options.layout = layout;
+      const Extracted extracted = extract(mesh, options);
+      expect_valid(extracted, triangulation.euler_characteristic());
+      collapsed += extracted.result.collapsed_arcs;
+    }
+    EXPECT_GT(collapsed, 50);
   }
-  EXPECT_GT(collapsed, 50);
 }

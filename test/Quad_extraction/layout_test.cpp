@@ -36,9 +36,9 @@ void expect_counts(const Glued_rectangles& domain, const Counts& expected)
       EXPECT_EQ(euler_characteristic(layout), traced.triangulation.euler_characteristic());
       for (const Quad_layout::Patch& patch : layout.patches)
         for (std::size_t i = 0; i < 4; ++i) {
-          EXPECT_EQ(layout.target(patch.half_arcs[i]), layout.source(patch.half_arcs[(i + 1) % 4]));
-          EXPECT_EQ(layout.arcs[std::size_t(patch.half_arcs[i] / 2)].length,
-                    layout.arcs[std::size_t(patch.half_arcs[(i + 2) % 4] / 2)].length);
+          ASSERT_EQ(patch.sides[i].size(), 1U);
+          EXPECT_EQ(layout.target(patch.sides[i][0]), layout.source(patch.sides[(i + 1) % 4][0]));
+          EXPECT_EQ(layout.arc_of(patch.sides[i][0]).length, layout.arc_of(patch.sides[(i + 2) % 4][0]).length);
         }
     }
 }
@@ -209,8 +209,7 @@ TEST(Layout, random_rectangular_holes)
     for (std::size_t i = 1; i < polygons.size(); ++i)
       area -= (polygons[i][1].x() - polygons[i][0].x()) * (polygons[i][2].y() - polygons[i][1].y());
     for (const Quad_layout::Patch& patch : traced.layout.patches)
-      covered += traced.layout.arcs[std::size_t(patch.half_arcs[0] / 2)].length *
-                 traced.layout.arcs[std::size_t(patch.half_arcs[1] / 2)].length;
+      covered += traced.layout.arc_of(patch.sides[0][0]).length * traced.layout.arc_of(patch.sides[1][0]).length;
     EXPECT_NEAR(covered, area, 1e-6);
   }
 }
@@ -220,7 +219,7 @@ TEST(Layout, long_separatrix_is_an_error)
   Glued_rectangles domain = star(5);
   domain.subdivisions = 6;
   try {
-    Traced traced(domain.build(), 3);
+    Traced traced(domain.build(), Quadrille::Layout_kind::base_complex, 3);
     FAIL() << "no error";
   } catch (const Quadrille::No_result_error& error) {
     EXPECT_EQ(error.stage(), "layout");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "extraction_helpers.h"
+#include "grid_layout.h"
 
 #include <Quadrille/Greedy_quantizer.h>
 
@@ -12,65 +13,25 @@
 #include <random>
 
 using namespace quad_extraction_test;
-using Quadrille::Quad_layout;
+using Quadrille::Length_constraints;
 
 namespace {
 
-/// The layout of a rectangle cut into columns and rows of given sizes; only its four corners are critical.
-Quad_layout grid_layout(const std::vector<double>& widths, const std::vector<double>& heights)
+/// Columns, then rows.
+std::vector<int> quantize(const std::vector<double>& widths, const std::vector<double>& heights)
 {
-  const int m = static_cast<int>(widths.size());
-  const int n = static_cast<int>(heights.size());
-  Quad_layout layout;
-  layout.strips.resize(widths.size() + heights.size());
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= m; ++i) {
-      Quad_layout::Node node;
-      node.border = node.constrained = i == 0 || i == m || j == 0 || j == n;
-      node.critical = (i == 0 || i == m) && (j == 0 || j == n);
-      layout.nodes.push_back(node);
-    }
-  const auto node = [m](int i, int j) { return j * (m + 1) + i; };
-  const auto add_arc = [&layout](int source, int target, double length, int strip, bool border) {
-    Quad_layout::Arc arc;
-    arc.source = source;
-    arc.target = target;
-    arc.length = length;
-    arc.strip = strip;
-    arc.border = border;
-    arc.curve = border ? 0 : -1;
-    layout.strips[std::size_t(strip)].length = length;
-    layout.strips[std::size_t(strip)].arcs.push_back(static_cast<int>(layout.arcs.size()));
-    layout.arcs.push_back(arc);
-  };
-  for (int j = 0; j <= n; ++j) // the border arc above runs to the left: the domain is on its left
-    for (int i = 0; i < m; ++i)
-      add_arc(node(j < n ? i : i + 1, j), node(j < n ? i + 1 : i, j), widths[std::size_t(i)], i, j == 0 || j == n);
-  for (int i = 0; i <= m; ++i)
-    for (int j = 0; j < n; ++j)
-      add_arc(node(i, i > 0 ? j : j + 1), node(i, i > 0 ? j + 1 : j), heights[std::size_t(j)], m + j, i == 0 || i == m);
-  layout.left_patch.assign(2 * layout.arcs.size(), -1);
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < m; ++i) {
-      const int below = 2 * (j * m + i);
-      const int above = 2 * ((j + 1) * m + i) + (j + 1 < n ? 1 : 0);
-      const int left = 2 * ((n + 1) * m + i * n + j) + (i > 0 ? 1 : 0);
-      const int right = 2 * ((n + 1) * m + (i + 1) * n + j);
-      Quad_layout::Patch patch;
-      patch.half_arcs = {below, right, above, left};
-      for (const int h : patch.half_arcs)
-        layout.left_patch[std::size_t(h)] = static_cast<int>(layout.patches.size());
-      layout.strips[std::size_t(i)].patches.push_back({static_cast<int>(layout.patches.size()), 0});
-      layout.strips[std::size_t(m + j)].patches.push_back({static_cast<int>(layout.patches.size()), 1});
-      layout.patches.push_back(patch);
-    }
-  return layout;
+  const Quad_layout layout = grid_layout(widths, heights);
+  Length_constraints constraints(layout);
+  const std::vector<int> lengths = Quadrille::Greedy_quantizer()(layout, constraints).lengths;
+  std::vector<int> result(lengths.begin(), lengths.begin() + std::ptrdiff_t(widths.size()));
+  const auto rows = lengths.begin() + std::ptrdiff_t(widths.size() * (heights.size() + 1));
+  result.insert(result.end(), rows, rows + std::ptrdiff_t(heights.size()));
+  return result;
 }
 
-std::vector<int> quantize(const Quad_layout& layout)
+bool is_admissible(const Quad_layout& layout, const std::vector<int>& columns, const std::vector<int>& rows)
 {
-  Quadrille::Strip_constraints constraints(layout);
-  return Quadrille::Greedy_quantizer()(layout, constraints);
+  return Length_constraints(layout).learn(grid_lengths(columns, rows));
 }
 
 } // namespace
@@ -78,7 +39,7 @@ std::vector<int> quantize(const Quad_layout& layout)
 TEST(Greedy_quantizer, thin_strips_share_their_area)
 {
   // Rounded one by one, all ten columns would vanish.
-  const std::vector<int> length = quantize(grid_layout(std::vector<double>(10, 0.3), {5.0}));
+  const std::vector<int> length = quantize(std::vector<double>(10, 0.3), {5.0});
   EXPECT_EQ(std::accumulate(length.begin(), length.begin() + 10, 0), 3);
   EXPECT_EQ(length[10], 5);
 }
@@ -93,7 +54,7 @@ TEST(Greedy_quantizer, keeps_totals_within_a_unit)
       w = width(random);
     for (double& h : heights)
       h = width(random);
-    const std::vector<int> length = quantize(grid_layout(widths, heights));
+    const std::vector<int> length = quantize(widths, heights);
     const double total = std::accumulate(widths.begin(), widths.end(), 0.0);
     EXPECT_LE(std::abs(std::accumulate(length.begin(), length.begin() + 12, 0) - total), 1.0);
     const double total_height = std::accumulate(heights.begin(), heights.end(), 0.0);
@@ -104,48 +65,71 @@ TEST(Greedy_quantizer, keeps_totals_within_a_unit)
 TEST(Greedy_quantizer, integer_lengths_stay)
 {
   const std::vector<int> expected = {1, 4, 2, 7, 3};
-  EXPECT_EQ(quantize(grid_layout({1, 4, 2}, {7, 3})), expected);
+  EXPECT_EQ(quantize({1, 4, 2}, {7, 3}), expected);
 }
 
-TEST(Strip_constraints, corners_and_opposite_sides_stay_apart)
+TEST(Length_constraints, corners_and_opposite_sides_stay_apart)
 {
-  const Quad_layout single = grid_layout({0.1}, {4.0});
-  Quadrille::Strip_constraints constraints(single);
-  EXPECT_EQ(constraints.fix(0, 0), 1); // would merge two corners
-
+  EXPECT_FALSE(is_admissible(grid_layout({0.1}, {4.0}), {0}, {4})); // would merge two corners
+  EXPECT_TRUE(is_admissible(grid_layout({0.1}, {4.0}), {1}, {4}));
   const Quad_layout three = grid_layout({0.1, 0.1, 0.1}, {4.0});
-  Quadrille::Strip_constraints in_order(three);
-  EXPECT_EQ(in_order.fix(0, 0), 0);
-  EXPECT_EQ(in_order.fix(2, 0), 0);
-  EXPECT_EQ(in_order.fix(1, 0), 1); // the last one keeps the corners apart
+  EXPECT_TRUE(is_admissible(three, {0, 1, 0}, {4}));
+  EXPECT_FALSE(is_admissible(three, {0, 0, 0}, {4}));
 }
 
-TEST(Strip_constraints, singularities_stay_apart_and_off_the_border)
+TEST(Length_constraints, singularities_stay_apart_and_off_the_border)
 {
   Quad_layout layout = grid_layout({1.0, 0.2, 1.0}, {1.0, 0.2, 1.0});
   layout.nodes[5].critical = true; // the four inner nodes are 5, 6, 9, 10
   layout.nodes[6].critical = true;
-  {
-    Quadrille::Strip_constraints constraints(layout);
-    EXPECT_EQ(constraints.fix(1, 0), 1); // 5 and 6
-    EXPECT_EQ(constraints.fix(4, 0), 0); // 5 and 9 may merge
-  }
-  {
-    Quadrille::Strip_constraints constraints(layout);
-    EXPECT_EQ(constraints.fix(0, 0), 1); // 5 would come to the border
-    EXPECT_EQ(constraints.fix(5, 0), 0); // 9 and 10 may
-  }
+  EXPECT_FALSE(is_admissible(layout, {1, 0, 1}, {1, 1, 1})); // 5 and 6
+  EXPECT_TRUE(is_admissible(layout, {1, 1, 1}, {1, 0, 1}));  // 5 and 9 may merge
+  EXPECT_FALSE(is_admissible(layout, {0, 1, 1}, {1, 1, 1})); // 5 would come to the border
+  EXPECT_TRUE(is_admissible(layout, {1, 1, 1}, {1, 1, 0}));  // 9 and 10 may
 }
 
-TEST(Strip_constraints, least_lengths)
+TEST(Length_constraints, learns_what_it_rejects)
+{
+  // Two singularities at opposite corners of a cell may lose either of its sides, but not both.
+  Quad_layout layout = grid_layout({1.0, 0.2, 1.0}, {1.0, 0.2, 1.0});
+  layout.nodes[5].critical = true;
+  layout.nodes[10].critical = true;
+  Length_constraints constraints(layout);
+  EXPECT_TRUE(constraints.learn(grid_lengths({1, 0, 1}, {1, 1, 1})));
+  EXPECT_TRUE(constraints.learn(grid_lengths({1, 1, 1}, {1, 0, 1})));
+  EXPECT_FALSE(constraints.learn(grid_lengths({1, 0, 1}, {1, 0, 1})));
+  // The same two beyond each other, three columns apart: found by following the merged nodes.
+  Quad_layout wide = grid_layout({1.0, 0.2, 0.2, 0.2, 1.0}, {1.0, 1.0});
+  wide.nodes[7].critical = true;
+  wide.nodes[10].critical = true;
+  Length_constraints learning(wide);
+  const std::size_t known = learning.sums().size();
+  EXPECT_FALSE(learning.learn(grid_lengths({1, 0, 0, 0, 1}, {1, 1})));
+  ASSERT_EQ(learning.sums().size(), known + 1);
+  EXPECT_EQ(learning.sums().back().arcs.size(), 3U);
+  EXPECT_TRUE(learning.learn(grid_lengths({1, 0, 1, 0, 1}, {1, 1})));
+}
+
+TEST(Length_constraints, inconsistent_lengths_are_refused)
+{
+  const Quad_layout layout = grid_layout({1.0, 2.0}, {1.0});
+  std::vector<int> lengths = grid_lengths({1, 2}, {1});
+  EXPECT_TRUE(Length_constraints(layout).learn(lengths));
+  ++lengths[0];
+  EXPECT_FALSE(Length_constraints(layout).learn(lengths));
+  lengths[0] = lengths[2] = -1;
+  EXPECT_FALSE(Length_constraints(layout).learn(lengths));
+}
+
+TEST(Length_constraints, least_lengths)
 {
   const Quad_layout layout = grid_layout({1.0, 0.2}, {1.0});
-  Quadrille::Strip_constraints constraints(layout, 4, {0, 3});
-  EXPECT_EQ(constraints.fix(0, 0), 0);
-  EXPECT_EQ(constraints.fix(1, 0), 3);
+  Length_constraints constraints(layout);
+  constraints.require({{1}, 3});
+  EXPECT_EQ(Quadrille::Greedy_quantizer()(layout, constraints).lengths, grid_lengths({1, 3}, {1}));
 }
 
-TEST(Strip_constraints, holes_keep_four_edges)
+TEST(Length_constraints, holes_keep_four_edges)
 {
   const Extracted extracted = extract(annulus(4, 1, 2.2, 3.0).build());
   EXPECT_EQ(extracted.quads.number_of_faces(), 12U);
@@ -157,9 +141,11 @@ TEST(Strip_constraints, holes_keep_four_edges)
 TEST(Quantizer, lengths_that_break_the_topology_are_refused)
 {
   struct All_zero {
-    std::vector<int> operator()(const Quad_layout& layout, Quadrille::Strip_constraints&) const
+    Quadrille::Quantization operator()(const Quad_layout& layout, Length_constraints&) const
     {
-      return std::vector<int>(layout.strips.size(), 0);
+      Quadrille::Quantization result;
+      result.lengths.assign(layout.arcs.size(), 0);
+      return result;
     }
   };
   try {

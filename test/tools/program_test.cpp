@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <Quadrille/Optimal_quantizer.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -228,6 +230,41 @@ TEST_F(Program, meshes_a_square_and_checks_it)
             0);
   EXPECT_EQ(m_output, "");
   EXPECT_EQ(content(path("b.msh")), mesh);
+}
+
+TEST_F(Program, numbers_of_elements_on_curves_are_met)
+{
+  const std::string in = square(), json = path("a.json");
+  for (const char* layout : {"t-mesh", "base-complex"})
+    for (const char* quantizer : {"greedy", "optimal"}) {
+      if (std::string(quantizer) == "optimal" && !Quadrille::Optimal_quantizer::is_available())
+        continue;
+      const std::string out = path(std::string(layout) + quantizer + ".msh");
+      ASSERT_EQ(
+          run({"quad",    in,       "-o", out,        "--size", "0.5",         "--starts", "1",       "--triangle-size",
+               "0.4",     "--json", json, "--layout", layout,   "--quantizer", quantizer,  "--count", "bottom=11",
+               "--count", "2=7"}),
+          0)
+          << m_error;
+      const nlohmann::json summary = nlohmann::json::parse(content(json));
+      EXPECT_EQ(summary["mesh"]["quads"], 77);
+      EXPECT_EQ(summary["layout"]["kind"], layout);
+      EXPECT_EQ(summary["quantization"]["method"], quantizer);
+      EXPECT_GT(summary["quantization"]["deviation"], 0.1); // 11 instead of 8
+      if (Quadrille::Optimal_quantizer::is_available()) {
+        EXPECT_LT(summary["quantization"]["optimality_gap"], 1e-2);
+      }
+    }
+  expect_failure({"quad", in, "-o", path("out/a.msh"), "--count", "bottom=0"}, 2, "'bottom=0' is not NAME=N");
+  expect_failure({"quad", in, "-o", path("out/a.msh"), "--count", "bottom"}, 2, "is not NAME=N");
+  expect_failure({"quad", in, "-o", path("out/a.msh"), "--count", "roof=3"}, 2, "no curve named 'roof'");
+  expect_failure({"quad", in, "-o", path("out/a.msh"), "--count", "1=3", "--count", "bottom=3"}, 2, "in common");
+  expect_failure({"quad", in, "-o", path("out/a.msh"), "--layout", "brick"}, 2, "'brick'");
+  expect_failure({"quad", in, "-o", path("out/a.msh"), "--quantizer", "best"}, 2, "'best'");
+  if (Quadrille::Optimal_quantizer::is_available())
+    expect_failure({"quad", in, "-o", path("out/a.msh"), "--starts", "1", "--triangle-size", "0.4", "--count", "1=9",
+                    "--count", "3=8"},
+                   4, "9 on '1', 8 on '3'");
 }
 
 TEST_F(Program, a_run_without_result_reports_the_stages_that_succeeded)

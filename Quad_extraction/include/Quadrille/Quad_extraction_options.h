@@ -4,9 +4,11 @@
 #ifndef QUADRILLE_QUAD_EXTRACTION_OPTIONS_H
 #define QUADRILLE_QUAD_EXTRACTION_OPTIONS_H
 
+#include <Quadrille/Curve_count.h>
 #include <Quadrille/Progress_observer.h>
 #include <Quadrille/Quad_layout.h>
 #include <Quadrille/Quad_smoothing_options.h>
+#include <Quadrille/Quantization.h>
 
 #include <array>
 #include <cstddef>
@@ -16,12 +18,15 @@
 namespace Quadrille {
 
 struct Quad_extraction_options {
-  bool smooth = true;               ///< false: leave the quads where the map puts them; they may be inverted
+  bool smooth = true;                       ///< false: leave the quads where the map puts them; they may be inverted
+  Layout_kind layout = Layout_kind::t_mesh; ///< by which isolines the domain is cut into patches
+  std::vector<Curve_count> counts;          ///< numbers of elements on curves, to be met exactly
+  bool measure_gap = true;          ///< bound the cost of the best lengths if the quantizer does not (takes some time)
   int min_loop_edges = 4;           ///< least number of edges on every border loop and closed feature
   double kink_degrees = 50;         ///< vertices where a curve turns by more than this become vertices of the quads
   std::size_t max_quads = 20000000; ///< more are refused
   std::size_t max_trace_steps = 0;  ///< triangles that a separatrix may cross; 0: 4 times their number + 1000
-  int max_refinements = 3;          ///< times that strips with inverted quads get one more quad before giving up
+  int max_refinements = 3;          ///< times that patches with inverted quads get more quads before giving up
   int threads = 1;                  ///< 0: all cores; the result does not depend on it
   Quad_smoothing_options smoothing; ///< its threads and observer are replaced by those here
   const Progress_observer* observer = nullptr; ///< stages "layout", "quantization", "mesh"
@@ -49,9 +54,9 @@ struct Quad_extraction_result {
 
   Quad_layout layout;
   std::vector<std::vector<std::array<double, 2>>> arc_polylines; ///< by arc of the layout
-  std::vector<int> strip_length;                                 ///< integer lengths of the layout's strips
+  Quantization quantization;                                     ///< integer lengths of the layout's arcs
   int refinements = 0;                                           ///< see `max_refinements`
-  int collapsed_strips = 0;                                      ///< strips of length 0
+  int collapsed_arcs = 0;                                        ///< arcs of length 0
   double area_change_relative = 0; ///< (sum of the patches' integer areas) / (sum of their map areas) - 1
 
   Quad_smoothing_report smoothing;

@@ -4,7 +4,7 @@
 #ifndef QUADRILLE_QUAD_EXTRACTION_H
 #define QUADRILLE_QUAD_EXTRACTION_H
 
-#include <Quadrille/Greedy_quantizer.h>
+#include <Quadrille/Default_quantizer.h>
 #include <Quadrille/Quad_extraction_options.h>
 #include <Quadrille/exceptions.h>
 
@@ -17,11 +17,11 @@ struct No_curve_projector {
 
 /// Extracts a conforming quad mesh from an exactly seamless map of a planar triangulation, one quad per unit square.
 ///
-/// Separatrices of the map are traced without rounding and cut the domain into quadrilateral patches; `quantizer` gives
-/// the strips of patches integer lengths; strips of length 0 are collapsed, the others filled with grids, which are
-/// smoothed towards the shapes that the map prescribes. Method: Couplet, Chemin and Remacle, "Size-Controlled
-/// Quadrilateral Meshing using Integrable Odeco Fields", Section 7.2; smoothing: Garanzha et al., "Foldover-free maps
-/// in 50 lines of code" (2021).
+/// Separatrices of the map are traced without rounding and cut the domain into quadrilateral patches
+/// (`options.layout` says which part of them); `quantizer` gives their arcs integer lengths; what gets length 0 is
+/// collapsed, the remaining patches are filled with grids, which are smoothed towards the shapes that the map
+/// prescribes. Method: Couplet, Chemin and Remacle, "Size-Controlled Quadrilateral Meshing using Integrable Odeco
+/// Fields", Section 7.2; smoothing: Garanzha et al., "Foldover-free maps in 50 lines of code" (2021).
 ///
 /// The quad mesh has the topology of the domain; its interior irregular vertices are the singularities of the map with
 /// their valences; all its corners are strictly convex; its border edges lie on the domain's border and the feature
@@ -41,14 +41,16 @@ struct No_curve_projector {
 ///
 /// \throws Invalid_input_error if the map is not exactly seamless, or not aligned with a curve (naming the halfedge:
 ///         halfedge 3 f + i leaves corner i of the f-th face), or an edge lacks a curve.
+/// \throws Invalid_argument_error for unusable `options.counts`, see `Length_constraints`.
 /// \throws No_result_error "map" for a flipped triangle or too few right angles in a corner, "layout" for a separatrix
 /// that does not end, "quantization" if
-///         the mesh would be too large, "mesh" if the quads cannot be made valid; nothing is added to `quads` then.
+///         the mesh would be too large or requested counts are impossible, "mesh" if the quads cannot be made valid;
+///         nothing is added to `quads` then.
 ///
 /// Complexity: tracing is linear in the number of triangles that the separatrices cross, the rest about linear in the
 /// number of patches and quads, times the cost of the sparse factorisations (practically n log n).
 template <class TriangleMesh, class VertexPointMap, class CornerUvMap, class EdgeCurveMap, class FaceRegionMap,
-          class QuadMesh, class Quantizer = Greedy_quantizer, class CurveProjector = No_curve_projector>
+          class QuadMesh, class Quantizer = Default_quantizer, class CurveProjector = No_curve_projector>
 Quad_extraction_result extract_quads(const TriangleMesh& mesh, VertexPointMap points, CornerUvMap corner_uv,
                                      EdgeCurveMap edge_curves, FaceRegionMap face_regions, QuadMesh& quads,
                                      const Quad_extraction_options& options = {}, const Quantizer& quantizer = {},

@@ -15,7 +15,7 @@
 namespace Quadrille {
 namespace internal::extraction {
 
-/// The domain's curves between critical nodes as polylines, and where the clusters and arcs of the collapsed layout lie
+/// The domain's curves between critical nodes as polylines, and where the vertices and arcs of the collapsed layout lie
 /// on them, measured by arc length.
 class Curve_chains {
 public:
@@ -26,7 +26,7 @@ public:
 
   Curve_chains(const Quad_layout& layout, const Collapsed_layout& collapsed, const Layout_geometry& geometry)
       : m_layout(&layout), m_collapsed(&collapsed), m_place_of_arc(layout.arcs.size()), m_fractions(layout.arcs.size()),
-        m_place_of_cluster(collapsed.clusters().size())
+        m_place_of_vertex(std::size_t(collapsed.number_of_vertices()))
   {
     for (const Quad_layout::Curve_chain& chain : layout.chains)
       add_chain(chain, geometry);
@@ -34,11 +34,11 @@ public:
 
   const std::vector<Polyline_curve>& curves() const { return m_curves; }
 
-  /// Where a cluster without a critical node slides; chain -1 for other clusters.
-  const Place& cluster_place(int cluster) const { return at(m_place_of_cluster, cluster); }
+  /// Where a vertex that a node without a critical one beside it became slides; chain -1 for other vertices.
+  const Place& vertex_place(int vertex) const { return at(m_place_of_vertex, vertex); }
 
   /// Place of the point at map length `x` of arc `a` (which lies on a curve and has positive quantized length), after
-  /// the arc was stretched between the places of its clusters.
+  /// the arc was stretched between the places of its ends.
   Place place(int a, double x) const
   {
     const Place& start = at(m_place_of_arc, a);
@@ -66,16 +66,16 @@ private:
     }
   };
 
-  /// Where the source or target cluster of arc `a` lies on the arc's chain.
+  /// Where the source or target of arc `a` lies on the arc's chain.
   double end_position(int node, bool is_target, int a) const
   {
     const int chain = at(m_place_of_arc, a).chain;
-    const int cluster = m_collapsed->cluster(node);
-    if (at(m_collapsed->clusters(), cluster).critical >= 0)
+    const int vertex = m_collapsed->vertex(node);
+    if (m_collapsed->critical_node(vertex) >= 0)
       return is_target ? at(m_curves, chain).length() : 0; // only zero arcs lie between it and the chain's end
     // The last arc of a loop ends where the first one starts, one turn later.
     const bool one_turn_later = is_target && at(m_curves, chain).is_closed() && at(m_last_arc, chain) == a;
-    return at(m_place_of_cluster, cluster).position + (one_turn_later ? at(m_curves, chain).length() : 0);
+    return at(m_place_of_vertex, vertex).position + (one_turn_later ? at(m_curves, chain).length() : 0);
   }
 
   void add_chain(const Quad_layout::Curve_chain& chain, const Layout_geometry& geometry)
@@ -85,7 +85,7 @@ private:
     for (const int h : chain.half_arcs)
       arcs.push_back(h / 2);
     if (chain.loop) {
-      // Start behind an arc that is not contracted, so that no cluster straddles the start.
+      // Start behind an arc that is not contracted, so that no vertex straddles the start.
       const auto positive =
           std::find_if(arcs.begin(), arcs.end(), [this](int a) { return m_collapsed->length(a) > 0; });
       std::rotate(arcs.begin(), positive + 1, arcs.end());
@@ -124,20 +124,20 @@ private:
     for (auto& node : nodes)
       node.second -= first_vertex;
     m_last_arc.push_back(arcs.back());
-    place_clusters(index, nodes);
+    place_vertices(index, nodes);
     m_curves.emplace_back(std::move(points), chain.loop, at(m_layout->arcs, arcs.front()).curve);
   }
 
-  void place_clusters(int chain, const std::vector<std::pair<int, double>>& nodes)
+  void place_vertices(int chain, const std::vector<std::pair<int, double>>& nodes)
   {
     for (std::size_t i = 0; i < nodes.size();) {
-      const int cluster = m_collapsed->cluster(nodes[i].first);
+      const int vertex = m_collapsed->vertex(nodes[i].first);
       double sum = 0;
       std::size_t end = i;
-      for (; end < nodes.size() && m_collapsed->cluster(nodes[end].first) == cluster; ++end)
+      for (; end < nodes.size() && m_collapsed->vertex(nodes[end].first) == vertex; ++end)
         sum += nodes[end].second;
-      if (at(m_collapsed->clusters(), cluster).critical < 0)
-        at(m_place_of_cluster, cluster) = {chain, sum / double(end - i)};
+      if (m_collapsed->critical_node(vertex) < 0)
+        at(m_place_of_vertex, vertex) = {chain, sum / double(end - i)};
       i = end;
     }
   }
@@ -147,7 +147,7 @@ private:
   std::vector<Polyline_curve> m_curves;
   std::vector<Place> m_place_of_arc;
   std::vector<Fractions> m_fractions;
-  std::vector<Place> m_place_of_cluster;
+  std::vector<Place> m_place_of_vertex;
   std::vector<int> m_last_arc; ///< by chain
 };
 

@@ -54,13 +54,14 @@ inline Isoline_step across(const Seamless_map& map, const Isoline_step& step)
   return next;
 }
 
-/// An isoline from a layout vertex to another one or to the border.
+/// An isoline from a layout vertex to another one, to a curve or to another trace.
 struct Trace {
   int source = -1; ///< index of the layout vertex
   int source_slot = -1;
-  int target = -1; ///< index of the layout vertex, -1 if it ends on the border (exit of the last step)
+  int target = -1; ///< index of the layout vertex where it ends, or -1
   int target_slot = -1;
   double length = 0;
+  /// At least up to `length`; the last one of a trace that ends on a curve leaves through the curve's edge.
   std::vector<Isoline_step> steps;
 };
 
@@ -69,39 +70,52 @@ class Isoline_tracer {
 public:
   Isoline_tracer(const Seamless_map& map, std::size_t max_steps) : m_map(&map), m_max_steps(max_steps) {}
 
-  /// \throws No_result_error if the trace does not end within the limit (limit cycle, or a very long spiral).
-  Trace operator()(const Layout_vertices& vertices, int source, const Layout_vertices::Port& port) const
+  /// Where a trace goes on: its next step, and the corner of that triangle that can lie on the isoline.
+  struct Front {
+    Isoline_step step;
+    int apex = -1;
+  };
+
+  std::pair<Trace, Front> start(int source, const Layout_vertices::Port& port) const
   {
     const Uv& start = m_map->uv(port.corner);
-    Trace trace;
-    trace.source = source;
-    trace.source_slot = port.slot;
-    Isoline_step step;
+    std::pair<Trace, Front> result;
+    result.first.source = source;
+    result.first.source_slot = port.slot;
+    Isoline_step& step = result.second.step;
     step.face = Indexed_triangulation::face(port.corner);
     step.direction = port.direction;
     step.level = along(port.direction + 1, start);
     step.offset = -along(port.direction, start);
-    int apex = Indexed_triangulation::next(port.corner); // the only other corner that can lie on the isoline
-    while (true) {
-      if (along(step.direction + 1, m_map->uv(apex)) == step.level && ends_at(vertices, apex, step, trace))
-        return trace;
-      step.exit = exit_halfedge(*m_map, step);
-      trace.steps.push_back(step);
-      if (m_map->mesh().is_boundary(step.exit)) {
-        trace.length = step.position(m_map->uv(step.exit)); // constant along the border edge
-        return trace;
-      }
-      if (trace.steps.size() > m_max_steps)
-        throw No_result_error("layout", "the isoline that leaves " + name(vertices[source]) +
-                                            " still goes on after crossing " + std::to_string(m_max_steps) +
-                                            " triangles: a limit cycle or a dense spiral of the map");
-      apex = Indexed_triangulation::prev(m_map->mesh().opposite(step.exit));
-      const Isoline_step next = across(*m_map, step);
-      if (!is_exact_difference(step.offset, along(next.direction, m_map->transition(step.exit).t), next.offset))
-        throw No_result_error("layout", "the isoline that leaves " + name(vertices[source]) +
-                                            " is too long for exact arithmetic on the map's grid");
-      step = next;
+    result.second.apex = Indexed_triangulation::next(port.corner);
+    return result;
+  }
+
+  /// Extends the trace by the triangle of its front. Returns false, with the trace's length, if it ends there: at a
+  /// layout vertex or on the border, or, with `stop_at_curves`, on a curve.
+  /// \throws No_result_error if the trace has more than the limit of steps.
+  bool advance(const Layout_vertices& vertices, bool stop_at_curves, Trace& trace, Front& front) const
+  {
+    Isoline_step& step = front.step;
+    if (along(step.direction + 1, m_map->uv(front.apex)) == step.level && ends_at(vertices, front.apex, step, trace))
+      return false;
+    step.exit = exit_halfedge(*m_map, step);
+    trace.steps.push_back(step);
+    if (m_map->mesh().is_boundary(step.exit) || (stop_at_curves && m_map->is_constrained(step.exit))) {
+      trace.length = step.position(m_map->uv(step.exit)); // constant along the curve's edge
+      return false;
     }
+    if (trace.steps.size() > m_max_steps)
+      throw No_result_error("layout", "the isoline that leaves " + name(vertices[trace.source]) +
+                                          " still goes on after crossing " + std::to_string(m_max_steps) +
+                                          " triangles: a limit cycle or a dense spiral of the map");
+    front.apex = Indexed_triangulation::prev(m_map->mesh().opposite(step.exit));
+    const Isoline_step next = across(*m_map, step);
+    if (!is_exact_difference(step.offset, along(next.direction, m_map->transition(step.exit).t), next.offset))
+      throw No_result_error("layout", "the isoline that leaves " + name(vertices[trace.source]) +
+                                          " is too long for exact arithmetic on the map's grid");
+    step = next;
+    return true;
   }
 
 private:

@@ -20,6 +20,9 @@ public:
     return seconds;
   }
 
+  /// Seconds since the last lap, which goes on.
+  double passed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
+
 private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };

@@ -5,22 +5,25 @@
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_LAYOUT_BUILDER_H
 
 #include <Quadrille/Quad_extraction/internal/Separatrices.h>
+#include <Quadrille/Quad_extraction/internal/Strip_decomposition.h>
 #include <Quadrille/Quad_extraction/internal/Trace_crossings.h>
 #include <Quadrille/Quad_layout.h>
 
 #include <algorithm>
-#include <numeric>
+#include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace Quadrille {
 namespace internal::extraction {
 
-/// The base complex of the separatrices: nodes, arcs between them, and the quadrilateral patches that they bound.
+/// The layout of the separatrices: nodes, arcs between them, and the quadrilateral patches that they bound.
 ///
-/// Around every node all axis directions carry an arc, one right angle apart; so all patches have right-angled corners,
-/// and by the theorem of Gauss and Bonnet exactly four of them.
+/// Around every node the axis directions carry arcs, one right angle apart; only where a separatrix ends on another one
+/// or on a feature, the direction opposite to it has none. So the corners of all patches are right angles, and by the
+/// theorem of Gauss and Bonnet there are exactly four.
 class Layout_builder {
 public:
   Layout_builder(const Seamless_map& map, const Separatrices& separatrices)
@@ -37,7 +40,7 @@ public:
     add_trace_arcs();
     add_curve_arcs();
     add_patches();
-    add_strips();
+    m_layout.strips = decompose_into_strips(m_layout);
     return std::move(m_layout);
   }
 
@@ -61,11 +64,14 @@ private:
 
   int canonical(int h) const { return m_mesh.is_boundary(h) ? h : std::min(h, m_mesh.opposite(h)); }
 
-  int add_node(const Quad_layout::Node& node, int slots, bool cyclic)
+  /// Nodes on an isoline that goes straight on count their slots from its direction.
+  enum class Node_kind : char { on_border, interior, on_isoline };
+
+  int add_node(const Quad_layout::Node& node, int slots, Node_kind kind)
   {
     m_layout.nodes.push_back(node);
     m_slots.emplace_back(std::size_t(slots), -1);
-    m_cyclic.push_back(cyclic);
+    m_kind.push_back(kind);
     return size_of(m_layout.nodes) - 1;
   }
 
@@ -102,11 +108,12 @@ private:
       node.border = vertex.border;
       node.constrained = vertex.constrained;
       node.critical = vertex.critical;
-      add_node(node, vertex.quadrants + (vertex.border ? 1 : 0), !vertex.border);
+      add_node(node, vertex.quadrants + (vertex.border ? 1 : 0),
+               vertex.border ? Node_kind::on_border : Node_kind::interior);
     }
   }
 
-  /// Nodes where traces cross features or end on the border.
+  /// Nodes where traces cross features or end on curves.
   void add_edge_nodes()
   {
     const std::vector<Trace>& traces = m_separatrices.traces();
@@ -115,48 +122,72 @@ private:
         const Isoline_step& step = at(at(traces, t).steps, s);
         if (step.exit < 0 || !m_map.is_constrained(step.exit))
           continue;
-        const int edge = canonical(step.exit);
         const double position = step.position(m_map.uv(step.exit));
-        Uv p = step.point(position);
-        int direction = step.direction;
-        if (edge != step.exit) {
-          const Transition& transition = m_map.transition(step.exit);
-          p = turned(transition.k, p);
-          p = {p[0] + transition.t[0], p[1] + transition.t[1]};
-          direction += transition.k;
-        }
-        const Uv& a = m_map.uv(edge);
-        const Uv& b = m_map.uv(Indexed_triangulation::next(edge));
-        const int along_edge = m_map.edge_direction(edge);
-        const double from_source = along(along_edge, p) - along(along_edge, a);
-        Quad_layout::Node node;
-        node.border = m_mesh.is_boundary(edge);
-        node.constrained = true;
-        node.quadrants = node.border ? 2 : 4;
-        node.point = point_on_edge(edge, from_source / (along(along_edge, b) - along(along_edge, a)));
-        const int first_direction = node.border ? along_edge : 0; // slots count from here
-        const auto slot = [&](int d) { return (d - first_direction + 8) & 3; };
-        const int id = add_node(node, node.border ? 3 : 4, !node.border);
-        at(m_edge_events, edge).push_back({from_source, id, slot(along_edge), slot(along_edge + 2)});
-        at(m_trace_events, t).push_back({position, id, s, true, slot(direction), slot(direction + 2)});
+        if (position <= at(traces, t).length)
+          add_edge_node(t, s, position);
       }
     for (std::vector<Edge_event>& events : m_edge_events)
       std::sort(events.begin(), events.end(),
                 [](const Edge_event& a, const Edge_event& b) { return a.position < b.position; });
   }
 
+  void add_edge_node(int t, int s, double position)
+  {
+    const Isoline_step& step = at(at(m_separatrices.traces(), t).steps, s);
+    const int edge = canonical(step.exit);
+    Uv p = step.point(position);
+    int direction = step.direction;
+    if (edge != step.exit) {
+      const Transition& transition = m_map.transition(step.exit);
+      p = turned(transition.k, p);
+      p = {p[0] + transition.t[0], p[1] + transition.t[1]};
+      direction += transition.k;
+    }
+    const int along_edge = m_map.edge_direction(edge);
+    const double from_source = along(along_edge, p) - along(along_edge, m_map.uv(edge));
+    const double length = edge_length(edge);
+    const bool is_border = m_mesh.is_boundary(edge);
+    int slot_ahead = (direction - along_edge + 8) & 3;
+    // Two traces may end on a feature at one point, from both sides.
+    const int vertex = from_source == 0 ? m_mesh.source(edge) : from_source == length ? m_mesh.target(edge) : -1;
+    const auto [place, is_new] = m_node_on_curve.emplace(
+        vertex >= 0 ? std::pair(-1 - vertex, 0.0) : std::pair(edge, from_source), Node_on_curve{-1, edge});
+    if (is_new) {
+      Quad_layout::Node node;
+      node.border = is_border;
+      node.constrained = true;
+      node.quadrants = is_border ? 2 : 4;
+      node.point = point_on_edge(edge, from_source / length);
+      place->second.node = add_node(node, is_border ? 3 : 4, is_border ? Node_kind::on_border : Node_kind::on_isoline);
+      at(m_edge_events, edge).push_back({from_source, place->second.node, 0, 2});
+    } else if (place->second.edge != edge &&
+               (m_mesh.source(place->second.edge) == vertex) == (m_mesh.source(edge) == vertex)) {
+      slot_ahead = (slot_ahead + 2) & 3; // the node counts from the other direction of the curve
+    }
+    at(m_trace_events, t).push_back({position, place->second.node, s, true, slot_ahead, (slot_ahead + 2) & 3});
+  }
+
   void add_crossing_nodes()
   {
-    for (const Trace_crossing& crossing : find_crossings(m_map, m_separatrices.traces())) {
-      Quad_layout::Node node;
-      node.point = point_in_face(crossing.face, crossing.point);
-      const int id = add_node(node, 4, true);
-      for (std::size_t i = 0; i < 2; ++i) {
-        const Trace& trace = at(m_separatrices.traces(), crossing.trace[i]);
-        const int d = at(trace.steps, crossing.step[i]).direction;
-        at(m_trace_events, crossing.trace[i])
-            .push_back({crossing.position[i], id, crossing.step[i], false, d, (d + 2) & 3});
+    std::map<std::pair<int, double>, int> node_on_trace; // two traces may end on a third one at one point
+    const std::vector<Trace>& traces = m_separatrices.traces();
+    for (const Trace_crossing& crossing : find_crossings(m_map, traces)) {
+      const std::size_t through = crossing.position[0] < at(traces, crossing.trace[0]).length ? 0 : 1;
+      const std::array<int, 2> d = {at(at(traces, crossing.trace[0]).steps, crossing.step[0]).direction,
+                                    at(at(traces, crossing.trace[1]).steps, crossing.step[1]).direction};
+      const auto [place, is_new] =
+          node_on_trace.emplace(std::pair(crossing.trace[through], crossing.position[through]), -1);
+      if (is_new) {
+        Quad_layout::Node node;
+        node.point = point_in_face(crossing.face, crossing.point);
+        place->second = add_node(node, 4, Node_kind::on_isoline);
       }
+      for (std::size_t i = 0; i < 2; ++i)
+        if (i != through || is_new) {
+          const int slot = (d[i] - d[through] + 4) & 3;
+          at(m_trace_events, crossing.trace[i])
+              .push_back({crossing.position[i], place->second, crossing.step[i], false, slot, (slot + 2) & 3});
+        }
     }
   }
 
@@ -189,8 +220,11 @@ private:
         events.push_back({trace.length, trace.target, size_of(trace.steps) - 1, false, -1, trace.target_slot});
       std::sort(events.begin(), events.end(),
                 [](const Trace_event& a, const Trace_event& b) { return a.position < b.position; });
-      for (std::size_t i = 0; i + 1 < events.size(); ++i)
+      m_layout.separatrices.emplace_back();
+      for (std::size_t i = 0; i + 1 < events.size(); ++i) {
+        m_layout.separatrices.back().push_back(2 * size_of(m_layout.arcs));
         add_trace_arc(trace, events[i], events[i + 1]);
+      }
     }
   }
 
@@ -348,80 +382,60 @@ private:
     return m_map.slot(back, m_map.edge_direction(back));
   }
 
-  /// The half-arc that follows `h` around the patch on its left, -1 outside the domain.
-  int next_around_patch(int h) const
+  /// The half-arc that follows `h` around the patch on its left, and whether there is a corner between them.
+  std::pair<int, bool> next_around_patch(int h) const
   {
     const int node = m_layout.target(h);
-    const int slot = at(m_slot_of, h ^ 1);
     const std::vector<int>& slots = at(m_slots, node);
-    if (slot > 0)
-      return at(slots, slot - 1);
-    return at(m_cyclic, node) ? slots.back() : -1;
+    int slot = at(m_slot_of, h ^ 1);
+    for (const bool is_corner : {true, false}) {
+      if (slot == 0 && at(m_kind, node) == Node_kind::on_border)
+        break;
+      slot = slot == 0 ? size_of(slots) - 1 : slot - 1;
+      if (at(slots, slot) >= 0)
+        return {at(slots, slot), is_corner};
+    }
+    throw No_result_error("layout", "the outline of a patch of the layout ends");
   }
 
   void add_patches()
   {
-    for (const std::vector<int>& slots : m_slots)
-      for (const int half_arc : slots)
-        if (half_arc < 0)
+    for (int n = 0; n < size_of(m_slots); ++n)
+      for (int slot = 0; slot < size_of(at(m_slots, n)); ++slot)
+        if (at(at(m_slots, n), slot) < 0 && (at(m_kind, n) != Node_kind::on_isoline || slot % 2 == 0))
           throw No_result_error("layout", "a direction of a node of the layout has no arc");
     m_layout.left_patch.assign(2 * m_layout.arcs.size(), -1);
     for (int start = 0; start < size_of(m_layout.left_patch); ++start) {
       const bool outside = at(m_layout.arcs, start / 2).border && start % 2 == 1;
-      if (outside || at(m_layout.left_patch, start) >= 0)
-        continue;
-      Quad_layout::Patch patch;
-      patch.region = at(m_half_arc_region, start);
-      int h = start;
-      for (int& side : patch.half_arcs) {
-        if (h < 0 || at(m_layout.left_patch, h) >= 0)
-          throw No_result_error("layout", "a patch of the layout has less than four sides");
-        side = h;
-        at(m_layout.left_patch, h) = size_of(m_layout.patches);
-        h = next_around_patch(h);
-      }
-      if (h != start)
-        throw No_result_error("layout", "a patch of the layout has more than four sides");
-      m_layout.patches.push_back(patch);
+      if (!outside && at(m_layout.left_patch, start) < 0)
+        add_patch(start);
     }
   }
 
-  void add_strips()
+  void add_patch(int start)
   {
-    std::vector<int> parent(m_layout.arcs.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto find = [&parent](int a) {
-      while (at(parent, a) != a)
-        a = at(parent, a) = at(parent, at(parent, a));
-      return a;
-    };
-    for (const Quad_layout::Patch& patch : m_layout.patches)
-      for (int side = 0; side < 2; ++side) {
-        const int a = at(patch.half_arcs, side) / 2;
-        const int b = at(patch.half_arcs, side + 2) / 2;
-        if (at(m_layout.arcs, a).length != at(m_layout.arcs, b).length)
-          throw No_result_error("layout", "opposite sides of a patch differ in length");
-        const int root_a = find(a);
-        const int root_b = find(b);
-        at(parent, std::max(root_a, root_b)) = std::min(root_a, root_b);
-      }
-    for (int a = 0; a < size_of(parent); ++a) {
-      Quad_layout::Arc& arc = at(m_layout.arcs, a);
-      const int root = find(a);
-      if (root == a) {
-        arc.strip = size_of(m_layout.strips);
-        m_layout.strips.emplace_back();
-        m_layout.strips.back().length = arc.length;
-      } else {
-        arc.strip = at(m_layout.arcs, root).strip;
-      }
-      at(m_layout.strips, arc.strip).arcs.push_back(a);
+    std::vector<std::vector<int>> sides(1);
+    bool is_corner = false;
+    int h = start;
+    do {
+      if (is_corner)
+        sides.emplace_back();
+      sides.back().push_back(h);
+      at(m_layout.left_patch, h) = size_of(m_layout.patches);
+      std::tie(h, is_corner) = next_around_patch(h);
+      if (h != start && at(m_layout.left_patch, h) >= 0)
+        throw No_result_error("layout", "the outlines of two patches of the layout overlap");
+    } while (h != start);
+    if (!is_corner && sides.size() > 1) { // the first side starts with the last part
+      sides.front().insert(sides.front().begin(), sides.back().begin(), sides.back().end());
+      sides.pop_back();
     }
-    for (int p = 0; p < size_of(m_layout.patches); ++p)
-      for (int side = 0; side < 2; ++side) {
-        const int arc = at(at(m_layout.patches, p).half_arcs, side) / 2;
-        at(m_layout.strips, at(m_layout.arcs, arc).strip).patches.push_back({p, side});
-      }
+    if (sides.size() != 4)
+      throw No_result_error("layout", "a patch of the layout has " + std::to_string(sides.size()) + " sides");
+    Quad_layout::Patch patch;
+    patch.region = at(m_half_arc_region, start);
+    std::move(sides.begin(), sides.end(), patch.sides.begin());
+    m_layout.patches.push_back(std::move(patch));
   }
 
   const Seamless_map& m_map;
@@ -429,18 +443,26 @@ private:
   const Separatrices& m_separatrices;
   Quad_layout m_layout;
   std::vector<std::vector<int>> m_slots; ///< by node: the half-arcs that leave it, counterclockwise
-  std::vector<char> m_cyclic;            ///< by node: is the last slot followed by the first?
+  std::vector<Node_kind> m_kind;         ///< by node
   std::vector<int> m_slot_of;            ///< by half-arc: its slot at its source
   std::vector<int> m_half_arc_region;
   std::vector<std::vector<Trace_event>> m_trace_events; ///< by trace
   std::vector<std::vector<Edge_event>> m_edge_events;   ///< by canonical halfedge
+  struct Node_on_curve {
+    int node;
+    int edge; ///< canonical; the node counts its slots from its direction
+  };
+  std::map<std::pair<int, double>, Node_on_curve> m_node_on_curve; ///< by edge and position, or -1 - vertex and 0
 };
 
 /// \throws No_result_error as documented at `extract_quads`.
-inline Quad_layout build_layout(const Seamless_map& map, const std::vector<char>& kept, std::size_t max_steps)
+inline Quad_layout build_layout(const Seamless_map& map, const std::vector<char>& kept, Layout_kind kind,
+                                std::size_t max_steps)
 {
-  const Separatrices separatrices(map, kept, max_steps);
-  return Layout_builder(map, separatrices).build();
+  const Separatrices separatrices(map, kept, kind, max_steps);
+  Quad_layout layout = Layout_builder(map, separatrices).build();
+  layout.kind = kind;
+  return layout;
 }
 
 } // namespace internal::extraction

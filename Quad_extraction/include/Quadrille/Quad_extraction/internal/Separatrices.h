@@ -4,7 +4,8 @@
 #ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_SEPARATRICES_H
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_SEPARATRICES_H
 
-#include <Quadrille/Quad_extraction/internal/Isoline_tracer.h>
+#include <Quadrille/Quad_extraction/internal/Motorcycles.h>
+#include <Quadrille/Quad_layout.h>
 
 #include <algorithm>
 #include <utility>
@@ -13,28 +14,32 @@
 namespace Quadrille {
 namespace internal::extraction {
 
-/// All separatrices of a map, run to their natural ends: one through every port of every layout vertex.
+/// The separatrices of a map: one through every port of every layout vertex, run to their natural ends or, for a
+/// T-mesh, to where they meet another one (`Motorcycles`) or a curve.
 ///
 /// A trace that arrives at a layout vertex uses up the port it arrives through, so no isoline is traced twice. A border
-/// or feature loop that has no layout vertex and meets no trace gets a seed, so that every loop carries a node.
+/// or feature loop that has no layout vertex and on one side meets no trace gets a seed, so that every loop carries a
+/// node and no patch is a ring.
 class Separatrices {
 public:
   /// `kept`: as for `Layout_vertices`. `max_steps`: as for `Isoline_tracer`.
-  Separatrices(const Seamless_map& map, const std::vector<char>& kept, std::size_t max_steps)
-      : m_map(&map), m_vertices(map, kept), m_tracer(map, max_steps),
-        m_hit(std::size_t(map.mesh().number_of_halfedges()), 0)
+  Separatrices(const Seamless_map& map, const std::vector<char>& kept, Layout_kind kind, std::size_t max_steps)
+      : m_map(&map), m_kind(kind), m_vertices(map, kept), m_tracer(map, max_steps),
+        m_motorcycles(map, m_vertices, m_tracer), m_hit(std::size_t(map.mesh().number_of_halfedges()), 0),
+        m_hit_vertex(std::size_t(map.mesh().number_of_vertices()), 0)
   {
     find_loops();
     trace_ports(0);
     for (const std::vector<int>& loop : m_loops)
-      if (std::none_of(loop.begin(), loop.end(), [this](int h) { return at(m_hit, h) != 0; })) {
-        int seed = m_map->mesh().source(loop.front());
-        for (const int h : loop)
-          seed = std::min(seed, m_map->mesh().source(h));
-        m_vertices.add_seed(seed);
+      if (is_missed(loop)) {
+        m_vertices.add_seed(seed_of(loop));
         trace_ports(m_vertices.size() - 1);
       }
+    if (m_kind == Layout_kind::t_mesh)
+      m_traces = m_motorcycles.take_traces();
   }
+  Separatrices(const Separatrices&) = delete; // its parts refer to each other
+  Separatrices& operator=(const Separatrices&) = delete;
 
   const Layout_vertices& vertices() const { return m_vertices; }
   const std::vector<Trace>& traces() const { return m_traces; }
@@ -71,15 +76,50 @@ private:
       }
   }
 
+  bool is_missed(const std::vector<int>& loop) const
+  {
+    const auto is_hit = [this](int h) { return h >= 0 && at(m_hit, h) != 0; };
+    const auto is_hit_behind = [&](int h) { return is_hit(m_map->mesh().opposite(h)); };
+    return std::none_of(loop.begin(), loop.end(), is_hit) ||
+           (!m_map->mesh().is_boundary(loop.front()) && std::none_of(loop.begin(), loop.end(), is_hit_behind));
+  }
+
+  /// The vertex of lowest index at which no trace has ended.
+  int seed_of(const std::vector<int>& loop) const
+  {
+    int seed = -1;
+    for (const int h : loop) {
+      const int v = m_map->mesh().source(h);
+      if (!at(m_hit_vertex, v) && (seed < 0 || v < seed))
+        seed = v;
+    }
+    if (seed < 0)
+      throw No_result_error("layout", "isolines end at all vertices of the loop through vertex " +
+                                          std::to_string(m_map->mesh().source(loop.front())) + ", on one side");
+    return seed;
+  }
+
   void trace_ports(int first_vertex)
   {
+    if (m_kind == Layout_kind::t_mesh) {
+      m_motorcycles.ride(first_vertex);
+      m_motorcycles.for_each_arrival([this](const Isoline_step& step) {
+        at(m_hit, step.exit) = 1;
+        for (const int h : {step.exit, Indexed_triangulation::next(step.exit)})
+          if (along(step.direction + 1, m_map->uv(h)) == step.level)
+            at(m_hit_vertex, m_map->mesh().source(h)) = 1;
+      });
+      return;
+    }
     m_used.resize(std::size_t(m_vertices.size()));
     for (int v = first_vertex; v < m_vertices.size(); ++v)
       at(m_used, v).assign(std::size_t(m_vertices[v].quadrants) + 1, 0);
     for (int v = first_vertex; v < m_vertices.size(); ++v)
       for (const Layout_vertices::Port& port : m_vertices[v].ports)
         if (!at(at(m_used, v), port.slot)) {
-          Trace trace = m_tracer(m_vertices, v, port);
+          auto [trace, front] = m_tracer.start(v, port);
+          while (m_tracer.advance(m_vertices, false, trace, front)) {
+          }
           use(trace.source, trace.source_slot);
           if (trace.target >= 0)
             use(trace.target, trace.target_slot);
@@ -103,11 +143,14 @@ private:
   }
 
   const Seamless_map* m_map;
+  Layout_kind m_kind;
   Layout_vertices m_vertices;
   Isoline_tracer m_tracer;
+  Motorcycles m_motorcycles;
   std::vector<Trace> m_traces;
   std::vector<std::vector<char>> m_used;
-  std::vector<char> m_hit;
+  std::vector<char> m_hit;        ///< by halfedge: has a trace come from its triangle?
+  std::vector<char> m_hit_vertex; ///< has a trace ended on a curve at this vertex?
   std::vector<std::vector<int>> m_loops;
 };
 

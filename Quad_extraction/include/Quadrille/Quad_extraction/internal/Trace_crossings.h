@@ -6,6 +6,7 @@
 
 #include <Quadrille/Quad_extraction/internal/Isoline_tracer.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,10 +15,10 @@ namespace internal::extraction {
 
 /// Two perpendicular traces meet in a triangle; the position of the crossing on each is exact.
 struct Trace_crossing {
-  std::array<int, 2> trace;
-  std::array<int, 2> step;
-  std::array<double, 2> position;
-  int face;
+  std::array<int, 2> trace = {-1, -1};
+  std::array<int, 2> step = {-1, -1};
+  std::array<double, 2> position = {0, 0};
+  int face = -1;
   Uv point; ///< in the chart of `face`
 };
 
@@ -38,10 +39,30 @@ inline int perturbed_orientation(const Uv& a, const Uv& b, const Uv& p, int d1, 
   return 0;
 }
 
-/// All crossings of the traces, each once.
+/// Where step `s_1` of trace 1 and step `s_2` of trace 2 cross, if they do in this triangle (which is that of both).
 ///
-/// Each trace is moved to its left by its own infinitesimal amount, those of earlier traces being infinitely larger;
-/// so every crossing lies strictly inside one triangle and none is missed or met twice.
+/// Each trace is moved to its left by its own infinitesimal amount, that of trace 1 being infinitely larger; so every
+/// crossing lies strictly inside one triangle, and is found once if always the earlier trace (for crossings of a trace
+/// with itself the earlier step) is trace 1. Lengths of the traces are not looked at.
+inline std::optional<Trace_crossing> crossing_of(const Seamless_map& map, const Isoline_step& step_1,
+                                                 const Isoline_step& step_2)
+{
+  if ((step_1.direction + step_2.direction) % 2 == 0)
+    return std::nullopt;
+  const Uv part_1 = turned(step_1.direction + 1, {step_1.level, 0});
+  const Uv part_2 = turned(step_2.direction + 1, {step_2.level, 0});
+  Trace_crossing crossing;
+  crossing.face = step_1.face;
+  crossing.point = {part_1[0] + part_2[0], part_1[1] + part_2[1]};
+  crossing.position = {step_1.position(crossing.point), step_2.position(crossing.point)};
+  for (int h = 3 * step_1.face; h < 3 * step_1.face + 3; ++h)
+    if (perturbed_orientation(map.uv(h), map.uv(Indexed_triangulation::next(h)), crossing.point, step_1.direction + 1,
+                              step_2.direction + 1) <= 0)
+      return std::nullopt;
+  return crossing;
+}
+
+/// All crossings of the traces, each once; where a trace ends on another one included, ends at vertices excluded.
 /// Complexity: the sum over the triangles of the number of pairs of traces in them.
 inline std::vector<Trace_crossing> find_crossings(const Seamless_map& map, const std::vector<Trace>& traces)
 {
@@ -58,33 +79,23 @@ inline std::vector<Trace_crossing> find_crossings(const Seamless_map& map, const
     for (int s = 0; s < size_of(at(traces, t).steps); ++s)
       at(by_face, at(end, at(at(traces, t).steps, s).face)++) = {t, s};
 
+  const auto is_within = [](const Trace& trace, double position) {
+    return position > 0 && (position < trace.length || (position == trace.length && trace.target < 0));
+  };
   std::vector<Trace_crossing> crossings;
   for (int f = 0; f < n_faces; ++f)
     for (int i = at(first, f); i < at(first, f + 1); ++i)
       for (int j = i + 1; j < at(first, f + 1); ++j) {
-        const Trace& trace_1 = at(traces, at(by_face, i).first);
-        const Trace& trace_2 = at(traces, at(by_face, j).first);
-        const Isoline_step& step_1 = at(trace_1.steps, at(by_face, i).second);
-        const Isoline_step& step_2 = at(trace_2.steps, at(by_face, j).second);
-        if ((step_1.direction + step_2.direction) % 2 == 0)
+        const auto [t_1, s_1] = at(by_face, i);
+        const auto [t_2, s_2] = at(by_face, j);
+        std::optional<Trace_crossing> crossing =
+            crossing_of(map, at(at(traces, t_1).steps, s_1), at(at(traces, t_2).steps, s_2));
+        if (!crossing || !is_within(at(traces, t_1), crossing->position[0]) ||
+            !is_within(at(traces, t_2), crossing->position[1]))
           continue;
-        const Uv part_1 = turned(step_1.direction + 1, {step_1.level, 0});
-        const Uv part_2 = turned(step_2.direction + 1, {step_2.level, 0});
-        const Uv point = {part_1[0] + part_2[0], part_1[1] + part_2[1]};
-        const double position_1 = step_1.position(point);
-        const double position_2 = step_2.position(point);
-        if (position_1 <= 0 || position_1 >= trace_1.length || position_2 <= 0 || position_2 >= trace_2.length)
-          continue;
-        bool inside = true;
-        for (int h = 3 * f; h < 3 * f + 3 && inside; ++h)
-          inside = perturbed_orientation(map.uv(h), map.uv(Indexed_triangulation::next(h)), point, step_1.direction + 1,
-                                         step_2.direction + 1) > 0;
-        if (inside)
-          crossings.push_back({{at(by_face, i).first, at(by_face, j).first},
-                               {at(by_face, i).second, at(by_face, j).second},
-                               {position_1, position_2},
-                               f,
-                               point});
+        crossing->trace = {t_1, t_2};
+        crossing->step = {s_1, s_2};
+        crossings.push_back(*crossing);
       }
   return crossings;
 }

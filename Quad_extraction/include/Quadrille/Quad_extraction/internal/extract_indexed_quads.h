@@ -4,15 +4,18 @@
 #ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_EXTRACT_INDEXED_QUADS_H
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_EXTRACT_INDEXED_QUADS_H
 
+#include <Quadrille/Length_constraints.h>
+#include <Quadrille/Optimal_quantizer.h>
 #include <Quadrille/Quad_extraction/internal/Lap_timer.h>
 #include <Quadrille/Quad_extraction/internal/Layout_builder.h>
+#include <Quadrille/Quad_extraction/internal/Length_deviation.h>
 #include <Quadrille/Quad_extraction/internal/Quad_assembly.h>
 #include <Quadrille/Quad_extraction/internal/Quad_checks.h>
 #include <Quadrille/Quad_extraction/internal/Quad_smoother.h>
 #include <Quadrille/Quad_extraction_options.h>
-#include <Quadrille/Strip_constraints.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,58 +77,65 @@ inline void check_sector_angles(const Seamless_map& map, const std::vector<Eigen
   }
 }
 
-/// Fixes all strips; a quantizer's answer that breaks the constraints is an error of its own.
+/// Asks the quantizer; an answer that breaks the constraints is an error of its own. Adds cost and gap.
 template <class Quantizer>
-std::vector<int> quantize(const Quad_layout& layout, const Quantizer& quantizer, int min_loop_edges,
-                          const std::vector<int>& min_length)
+Quantization quantize(const Quad_layout& layout, const Quantizer& quantizer, const Quad_extraction_options& options,
+                      Length_constraints& constraints)
 {
-  Strip_constraints constraints(layout, min_loop_edges, min_length);
-  std::vector<int> length = quantizer(layout, constraints);
-  if (length.size() != layout.strips.size())
-    throw No_result_error("quantization", "the quantizer returned " + std::to_string(length.size()) + " lengths for " +
-                                              std::to_string(layout.strips.size()) + " strips");
-  Strip_constraints check(layout, min_loop_edges, min_length);
-  for (int s = 0; s < size_of(length); ++s)
-    if (at(length, s) < 0 || check.fix(s, at(length, s)) != at(length, s))
-      throw No_result_error("quantization", "the length " + std::to_string(at(length, s)) + " of strip " +
-                                                std::to_string(s) + " would merge what must stay apart");
-  return length;
+  Quantization result = quantizer(layout, constraints);
+  if (!constraints.learn(result.lengths))
+    throw No_result_error("quantization", "the lengths of the " + result.method +
+                                              " quantizer would merge what must stay apart, miss a requested count, or "
+                                              "differ on opposite sides of a patch");
+  const Length_deviation deviation(layout);
+  result.cost = deviation.cost(result.lengths);
+  result.deviation = deviation.relative(result.cost);
+  if (options.measure_gap && !std::isfinite(result.lower_bound))
+    result.lower_bound = quantization_bound(layout, constraints);
+  if (std::isfinite(result.lower_bound))
+    result.optimality_gap = result.cost > 0 ? std::max(0.0, result.cost - result.lower_bound) / result.cost : 0;
+  return result;
 }
 
-/// Sets `result.area_change_relative`, `collapsed_strips`. \throws No_result_error if there are too many quads.
+/// Sets `result.area_change_relative`, `collapsed_arcs`. \throws No_result_error if there are too many quads.
 inline void judge_quantization(const Quad_extraction_options& options, Quad_extraction_result& result)
 {
   const Quad_layout& layout = result.layout;
   double before = 0;
   double after = 0;
   for (const Quad_layout::Patch& patch : layout.patches) {
-    const Quad_layout::Arc& a = at(layout.arcs, patch.half_arcs[0] / 2);
-    const Quad_layout::Arc& b = at(layout.arcs, patch.half_arcs[1] / 2);
-    before += a.length * b.length;
-    after += double(at(result.strip_length, a.strip)) * at(result.strip_length, b.strip);
+    std::array<double, 2> length = {0, 0};
+    std::array<double, 2> quads = {0, 0};
+    for (std::size_t side = 0; side < 2; ++side)
+      for (const int h : patch.sides[side]) {
+        length[side] += layout.arc_of(h).length;
+        quads[side] += at(result.quantization.lengths, h / 2);
+      }
+    before += length[0] * length[1];
+    after += quads[0] * quads[1];
   }
   result.area_change_relative = (after - before) / before;
-  result.collapsed_strips = static_cast<int>(std::count(result.strip_length.begin(), result.strip_length.end(), 0));
+  result.collapsed_arcs =
+      static_cast<int>(std::count(result.quantization.lengths.begin(), result.quantization.lengths.end(), 0));
   if (after > double(options.max_quads))
     throw No_result_error("quantization", "the mesh would have " + std::to_string(after) +
                                               " quads; ask for larger elements or raise max_quads");
 }
 
-/// Asks for one more quad across every strip with an inverted quad. Returns false if there is none.
-inline bool refine_strips(const Indexed_quads& quads, const Quad_layout& layout, const std::vector<int>& strip_length,
-                          std::vector<int>& min_length)
+/// Asks for one more quad in both directions in every patch with an inverted quad. Returns false if there is none.
+inline bool refine_patches(const Indexed_quads& quads, const Quad_layout& layout, const std::vector<int>& lengths,
+                           Length_constraints& constraints)
 {
-  min_length.resize(layout.strips.size(), 0);
-  bool refined = false;
+  std::set<int> patches;
   for (int q = 0; q < size_of(quads.quads); ++q)
     if (!is_convex(quads.points, at(quads.quads, q)))
-      for (std::size_t side = 0; side < 2; ++side) {
-        const int arc = at(layout.patches, at(quads.patch, q)).half_arcs[side] / 2;
-        const int strip = at(layout.arcs, arc).strip;
-        at(min_length, strip) = at(strip_length, strip) + 1;
-        refined = true;
-      }
-  return refined;
+      patches.insert(at(quads.patch, q));
+  for (const int p : patches)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::vector<int> arcs = arcs_of(at(layout.patches, p).sides[side]);
+      constraints.require({arcs, static_cast<int>(sum_of(arcs, lengths)) + 1});
+    }
+  return !patches.empty();
 }
 
 /// From index arrays to a quad mesh as index arrays; `extract_quads` without CGAL.
@@ -139,7 +149,7 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
   check_sector_angles(map, points);
   const std::size_t max_steps =
       options.max_trace_steps > 0 ? options.max_trace_steps : 4 * std::size_t(map.mesh().number_of_faces()) + 1000;
-  result.layout = build_layout(map, kinks(map, points, options.kink_degrees), max_steps);
+  result.layout = build_layout(map, kinks(map, points, options.kink_degrees), options.layout, max_steps);
   const Quad_layout& layout = result.layout;
   const Layout_geometry geometry(map, points, layout);
   for (const Quad_layout::Arc& arc : layout.arcs) {
@@ -156,15 +166,15 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
   smoothing.observer = options.observer;
   Indexed_quads quads;
   const Quad_checks checks(quads);
-  std::vector<int> min_length;
+  Length_constraints constraints(layout, options.min_loop_edges, options.counts);
   for (int attempt = 0;; ++attempt) {
     report_progress(options, "quantization", 0);
-    result.strip_length = quantize(layout, quantizer, options.min_loop_edges, min_length);
+    result.quantization = quantize(layout, quantizer, options, constraints);
     judge_quantization(options, result);
     result.quantization_seconds += timer.lap();
 
     report_progress(options, "mesh", 0);
-    quads = Quad_assembly(layout, Collapsed_layout(layout, result.strip_length), geometry).build();
+    quads = Quad_assembly(layout, Collapsed_layout(layout, result.quantization.lengths), geometry).build();
     checks.check_topology();
     result.mesh_seconds += timer.lap();
     if (!options.smooth)
@@ -173,7 +183,7 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
     result.smoothing.seconds = timer.lap();
     result.mesh_seconds += result.smoothing.seconds;
     result.refinements = attempt;
-    if (attempt == options.max_refinements || !refine_strips(quads, layout, result.strip_length, min_length))
+    if (attempt == options.max_refinements || !refine_patches(quads, layout, result.quantization.lengths, constraints))
       break;
   }
   if (options.smooth)

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_OPTIMAL_QUANTIZER_H
+#define QUADRILLE_OPTIMAL_QUANTIZER_H
+
+#include <Quadrille/Length_constraints.h>
+#include <Quadrille/Quad_layout.h>
+#include <Quadrille/Quantization.h>
+
+namespace Quadrille {
+
+/// Finds integer lengths of least cost (see `Quantization`) by integer programming. Model of `Quantizer`.
+///
+/// Lazily: solve the program with the conditions known so far; if what comes out would merge something that must stay
+/// apart, add a condition that forbids it, and solve again. The integer lengths of arcs of a T-mesh were first
+/// determined like this by Campen, Bommes and Kobbelt, "Quantized global parametrization" (2015); the cost is ours.
+/// Where a patch of width 0 would merge two critical nodes, only its width is asked to be positive, though shifting the
+/// nodes along it could part them, too: "optimal" is meant with this restriction.
+///
+/// Solved with COIN-OR's CBC (`QUADRILLE_WITH_CBC`). Complexity: exponential in the worst case, but the program is
+/// nearly a flow, and practically solved in a few relaxations.
+class Optimal_quantizer {
+public:
+  struct Options {
+    double time_limit =
+        10;            ///< seconds; then the best lengths known are returned (those of `Greedy_quantizer` at least)
+    double gap = 1e-3; ///< relative distance from the optimum that is good enough
+  };
+
+  Optimal_quantizer() = default;
+  explicit Optimal_quantizer(const Options& options) : m_options(options) {}
+
+  /// Was Quadrille built with a solver?
+  static constexpr bool is_available()
+  {
+#ifdef QUADRILLE_WITH_CBC
+    return true;
+#else
+    return false;
+#endif
+  }
+
+  /// \throws Invalid_argument_error without a solver.
+  /// \throws No_result_error("quantization", ...) if the requested counts cannot be met, naming those that are in
+  /// conflict,
+  ///         or if the time was too short to find any lengths.
+  Quantization operator()(const Quad_layout& layout, Length_constraints& constraints) const;
+
+private:
+  Options m_options;
+};
+
+/// A lower bound of the cost of all admissible lengths, by linear programming; -infinity without a solver, or if that
+/// takes longer than `time_limit` seconds.
+double quantization_bound(const Quad_layout& layout, const Length_constraints& constraints, double time_limit = 10);
+
+} // namespace Quadrille
+
+#include <Quadrille/Quad_extraction/internal/optimal_quantization.h>
+
+#endif

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_INTEGER_PROGRAM_H
+#define QUADRILLE_QUAD_EXTRACTION_INTERNAL_INTEGER_PROGRAM_H
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace Quadrille {
+namespace internal::extraction {
+
+/// A linear program of which some variables are integers: minimise costs between bounds of variables and rows.
+struct Integer_program {
+  struct Column {
+    double low;
+    double high;
+    double cost;
+    bool integer;
+  };
+  struct Row {
+    std::vector<std::pair<int, double>> entries; ///< column (each once) and coefficient
+    double low;
+    double high;
+  };
+
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+
+  int add_column(const Column& column)
+  {
+    columns.push_back(column);
+    return static_cast<int>(columns.size()) - 1;
+  }
+};
+
+struct Integer_solution {
+  bool infeasible = false;   ///< proven to have no solution
+  bool interrupted = false;  ///< by the limit of time
+  std::vector<double> value; ///< of the best solution found, empty if there is none
+  double cost = std::numeric_limits<double>::infinity();
+  double lower_bound = -std::numeric_limits<double>::infinity();
+};
+
+} // namespace internal::extraction
+} // namespace Quadrille
+
+#endif

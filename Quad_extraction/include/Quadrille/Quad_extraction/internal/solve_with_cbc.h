@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_SOLVE_WITH_CBC_H
+#define QUADRILLE_QUAD_EXTRACTION_INTERNAL_SOLVE_WITH_CBC_H
+
+#ifndef QUADRILLE_WITH_CBC
+#error "CBC is needed here"
+#endif
+
+#include <Quadrille/Quad_extraction/internal/Integer_program.h>
+
+#include <coin/Cbc_C_Interface.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Quadrille {
+namespace internal::extraction {
+
+/// Solves a program with COIN-OR's branch and cut solver CBC, on one thread; deterministic unless time runs out.
+/// A solution may be worse than the best one by the fraction `gap` of its cost. `relaxed`: integers may be fractions.
+inline Integer_solution solve_with_cbc(const Integer_program& program, bool relaxed, double seconds, double gap)
+{
+  const std::unique_ptr<Cbc_Model, void (*)(Cbc_Model*)> model(Cbc_newModel(), &Cbc_deleteModel);
+  const std::size_t n = program.columns.size();
+  std::vector<CoinBigIndex> start(n + 1, 0);
+  for (const Integer_program::Row& row : program.rows)
+    for (const auto& entry : row.entries)
+      ++start[std::size_t(entry.first) + 1];
+  for (std::size_t c = 0; c < n; ++c)
+    start[c + 1] += start[c];
+  const auto n_entries = static_cast<std::size_t>(start[n]);
+  std::vector<int> index(n_entries);
+  std::vector<double> value(index.size());
+  std::vector<double> row_low, row_high, low, high, cost;
+  std::vector<CoinBigIndex> end(start.begin(), start.end() - 1);
+  for (std::size_t r = 0; r < program.rows.size(); ++r) {
+    row_low.push_back(program.rows[r].low);
+    row_high.push_back(program.rows[r].high);
+    for (const auto& [column, coefficient] : program.rows[r].entries) {
+      const auto place = std::size_t(end[std::size_t(column)]++);
+      index[place] = static_cast<int>(r);
+      value[place] = coefficient;
+    }
+  }
+  for (const Integer_program::Column& column : program.columns) {
+    low.push_back(column.low);
+    high.push_back(column.high);
+    cost.push_back(column.cost);
+  }
+  Cbc_loadProblem(model.get(), static_cast<int>(n), static_cast<int>(program.rows.size()), start.data(), index.data(),
+                  value.data(), low.data(), high.data(), cost.data(), row_low.data(), row_high.data());
+  for (std::size_t c = 0; c < n && !relaxed; ++c)
+    if (program.columns[c].integer)
+      Cbc_setInteger(model.get(), static_cast<int>(c));
+  Cbc_setLogLevel(model.get(), 0);
+  Cbc_setParameter(model.get(), "log", "0");
+  Cbc_setParameter(model.get(), "timeMode", "elapsed");
+  Cbc_setParameter(model.get(), "seconds", std::to_string(std::max(seconds, 0.01)).c_str());
+  Cbc_setParameter(model.get(), "ratioGap", std::to_string(gap).c_str());
+  Cbc_solve(model.get());
+
+  Integer_solution solution;
+  solution.infeasible = Cbc_isProvenInfeasible(model.get()) != 0;
+  solution.interrupted = Cbc_status(model.get()) == 1;
+  if (solution.infeasible)
+    return solution;
+  const double* best = relaxed ? Cbc_getColSolution(model.get()) : Cbc_bestSolution(model.get());
+  if (best) {
+    solution.value.assign(best, best + n);
+    solution.cost = Cbc_getObjValue(model.get());
+  }
+  if (!relaxed)
+    solution.lower_bound = Cbc_getBestPossibleObjValue(model.get());
+  else if (Cbc_isProvenOptimal(model.get()))
+    solution.lower_bound = solution.cost;
+  return solution;
+}
+
+} // namespace internal::extraction
+} // namespace Quadrille
+
+#endif
