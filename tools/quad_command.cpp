@@ -100,7 +100,7 @@ private:
     for (const std::string& size : m_arguments.sizes)
       specification.add(size);
     for (const auto& [name, size] : specification.thin_curves())
-      options.curve_triangle_size[name] = 2 * size; // the field is linear in each triangle
+      options.curve_triangle_size[name] = 1.5 * size; // the field is linear in each triangle
     m_domain = read_planar_domain(m_arguments.input, options);
     if (const std::string item = specification.anisotropic_item(); !item.empty() && !m_arguments.anisotropic)
       throw Invalid_argument_error("size '" + item +

@@ -126,7 +126,10 @@ inline Geometry_triangulation triangulate_geometry(const std::string& path, cons
         options.triangle_size > 0 ? options.triangle_size / frame->extent() : default_triangle_size(unit);
     result.triangle_size = options.triangle_size > 0 ? options.triangle_size : size * frame->extent();
     if (options.refine_locally) {
-      Triangle_size_estimator estimator(unit, options, size);
+      Planar_domain_options unit_options = options;
+      for (auto& [name, curve_size] : unit_options.curve_triangle_size)
+        curve_size /= frame->extent();
+      Triangle_size_estimator estimator(unit, unit_options, size);
       field = estimator.estimate();
       if (estimator.coarsened())
         result.notes.push_back("details and gaps are too small for " + std::to_string(options.max_triangles) +
