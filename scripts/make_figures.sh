@@ -8,10 +8,10 @@ command -v convert >/dev/null || { echo "ImageMagick's convert is needed (packag
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# figure <case> <panel: 0 field, 1 map, 2 layout, 3 mesh> <width> <file>
+# figure <case> <panel: 0 field, 1 map, 2 layout, 3 mesh> <width> <file> [options of quadrille quad]
 figure() {
   [ -f "$folder/$1.png" ] ||
-    "$program" quad "examples/data/$1.geo" -o "$folder/$1.msh" --picture "$folder/$1.png" --quiet
+    "$program" quad "examples/data/$1.geo" -o "$folder/$1.msh" --picture "$folder/$1.png" --quiet "${@:5}"
   mkdir -p "$(dirname "$4")"
   convert "$folder/$1.png" -crop 2x2@ +repage "$folder/panel_%d.png"
   convert "$folder/panel_$2.png" -resize "$3x" -colors 32 -strip "$4"
@@ -20,6 +20,8 @@ figure() {
 
 figure three_component_wing 0 800 doc/Odeco_frame_field/fig/wing_field.png
 figure square_1_10 0 500 doc/Odeco_frame_field/fig/square_field.png
+figure disk_feature 3 500 doc/Odeco_frame_field/fig/disk_feature.png \
+  --anisotropic --size boundary=0.15x1.5 --size feature=0.15x1.5
 figure three_component_wing 1 800 doc/Seamless_parametrization/fig/wing_map.png
 figure nautilus 2 600 doc/Quad_extraction/fig/nautilus_layout.png
 figure nautilus 3 600 doc/Quad_extraction/fig/nautilus_mesh.png

@@ -57,7 +57,7 @@ void mesh_start(const Planar_domain& domain, std::size_t start, const std::vecto
   result.field->chosen = int(start);
   result.field->energy = result.field->starts[start].energy;
   result.field->energy_lie = result.field->starts[start].energy_lie;
-  result.field->energy_odeco = result.field->energy - result.field->energy_lie;
+  result.field->energy_odeco = result.field->starts[start].energy_odeco;
   result.map = integrate(domain, result.gradients, map_options, result.corner_uv);
   result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
                                     domain.region_map(), result.quads, extraction_options, Chosen_quantizer(quantizer),

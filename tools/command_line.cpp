@@ -51,6 +51,11 @@ po::options_description quad_options()
   options.add_options()("size", po::value<Strings>()->value_name("SIZE"),
                         "element size, repeatable: S everywhere, NAME=S on a physical group or curve tag, "
                         "NAME=A:B linear along it, NAME=NxT normal x tangential, NAME=free");
+  options.add_options()("size-field", po::value<Strings>()->value_name("F"),
+                        "sizes wanted inside: a Gmsh view (.pos .msh) or lines 'x y size [radius]' (.txt .csv)");
+  options.add_options()("size-field-weight", po::value<Strings>()->value_name("W"),
+                        "how much they matter against integrability (default 10)");
+  options.add_options()("impose-size-field", "fix these sizes instead of attracting to them");
   options.add_options()("triangle-size", po::value<Strings>()->value_name("H"),
                         "largest edge of the background triangulation (default: chosen and printed)");
   options.add_options()("isotropic", "square elements (the default)");
@@ -160,6 +165,11 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   result.picture = options.one("picture");
   result.json = options.one("json");
   result.sizes = options.all("size");
+  result.size_field = options.one("size-field");
+  result.size_field_weight = options.number("size-field-weight", result.size_field_weight, 0.0);
+  result.impose_size_field = options.has("impose-size-field");
+  if (result.size_field.empty() && (options.has("size-field-weight") || result.impose_size_field))
+    throw Invalid_argument_error("options --size-field-weight and --impose-size-field need --size-field");
   result.triangle_size = options.number("triangle-size", 0.0, 0.0);
   if (options.has("triangle-size") && result.triangle_size == 0)
     throw Invalid_argument_error("option --triangle-size: the size must be positive");

@@ -24,6 +24,9 @@ struct Quad_arguments {
   std::string field, map, picture, json; ///< further files to write; empty: none
   std::vector<std::string> sizes;
   double triangle_size = 0; ///< 0: chosen from the domain
+  std::string size_field;   ///< file with sizes inside; empty: none
+  double size_field_weight = Odeco_field_options().target_size_weight;
+  bool impose_size_field = false;
   bool anisotropic = false;
   Quantizer_kind quantizer = default_quantizer();
   Layout_kind layout = Quad_extraction_options().layout;

@@ -12,6 +12,7 @@
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Size_specification.h>
 #include <Quadrille/read_planar_domain.h>
+#include <Quadrille/read_size_field.h>
 #include <Quadrille/write_file.h>
 #include <Quadrille/write_mesh.h>
 
@@ -108,6 +109,8 @@ private:
                                    "--anisotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
+    if (!m_arguments.size_field.empty())
+      m_target_sizes = read_size_field(m_arguments.size_field, m_domain);
     std::ostringstream line;
     line << m_arguments.input << ": " << m_domain.mesh.number_of_faces() << " triangles";
     if (m_domain.triangle_size > 0)
@@ -123,6 +126,9 @@ private:
   {
     Quad_pipeline_options options;
     options.field.isotropic = !m_arguments.anisotropic;
+    options.field.target_size = m_target_sizes;
+    options.field.target_size_weight = m_arguments.size_field_weight;
+    options.field.impose_target_size = m_arguments.impose_size_field;
     options.field.solver = m_arguments.solver;
     options.field.starts = m_arguments.starts;
     options.field.seed = m_arguments.seed;
@@ -207,6 +213,7 @@ private:
   Planar_domain m_domain;
   Domain_sizes m_sizes;
   std::vector<Curve_count> m_counts;
+  std::vector<double> m_target_sizes; ///< per vertex of the domain; empty: none
   Quad_pipeline_result m_result;
   Labelled_mesh m_mesh;
   std::optional<Mesh_summary> m_mesh_summary;

@@ -112,7 +112,7 @@ double lie_energy(const Triangles& triangles, const std::function<Orthogonal_fra
 {
   const auto elements = free_elements<N>(triangles);
   Field_solver<N> solver(elements, {}, 1, nullptr, Field_solver_kind::levenberg_marquardt);
-  return solver.lie_energy(sample<N>(elements, triangles, frame));
+  return solver.energy_parts(sample<N>(elements, triangles, frame)).lie;
 }
 
 TEST(Lie_energy, vanishes_with_refinement_on_integrable_fields)

@@ -44,6 +44,13 @@ struct Odeco_field_options {
   /// Added to the cost of every start: this times its `size_deviation`. Starts that integrate about equally well are
   /// then told apart by how far sizes stray between the curves where they are prescribed.
   double size_deviation_weight = 0.01;
+  /// Element sizes wanted inside, per vertex in the order of `vertices(mesh)` and in the mesh's unit; 0 where none is
+  /// wanted; empty: nowhere. See `sample_target_sizes()`. Sizes on constrained edges take precedence.
+  std::vector<double> target_size;
+  /// Weight of the mean of log(size / target)^2 over where there is a target. A larger one meets targets more closely,
+  /// at the cost of integrability.
+  double target_size_weight = 10;
+  bool impose_target_size = false; ///< fix the target sizes (as isotropic frames) instead of attracting
   Melt_and_freeze_schedule schedule;
   const Progress_observer* observer = nullptr;
 };
@@ -58,8 +65,9 @@ struct Field_start {
   Kind kind = Kind::smooth;
   std::uint64_t seed = 0;
   bool valid = false;        ///< positive sizes everywhere
-  double energy = 0;         ///< E_integ at the final epsilon
+  double energy = 0;         ///< E_integ at the final epsilon, and the attractions to sizes
   double energy_lie = 0;     ///< its part E_Lie; planar-2, eq. (30)
+  double energy_odeco = 0;   ///< its part E_odeco / epsilon^2; planar-2, eqs. (31), (33)
   double size_deviation = 0; ///< mean over the area of log(size / expected)^2, expected: harmonic between the curves
   double cost = 0;           ///< the evaluator's (without one, the energy), and the weighted size deviation
   int iterations = 0;
@@ -71,7 +79,7 @@ struct Odeco_field_result {
   std::vector<Circular_harmonics> harmonics; ///< per vertex, in the order of `vertices(mesh)`; eigenvalues are sizes
   std::vector<Field_start> starts;           ///< smooth, relaxed, melted ones by seed
   int chosen = -1;                           ///< index into `starts`
-  double energy = 0;                         ///< E_integ of the chosen field
+  double energy = 0;                         ///< E_integ of the chosen field, and the attractions to sizes
   double energy_lie = 0;                     ///< its E_Lie; planar-2, eq. (30)
   double energy_odeco = 0;                   ///< its E_odeco / epsilon^2; planar-2, eqs. (31), (33)
   int free_corners = 0;                      ///< corners whose direction is left free

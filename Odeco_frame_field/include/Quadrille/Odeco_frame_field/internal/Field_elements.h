@@ -39,12 +39,13 @@ public:
     double size; ///< local triangle size, the unit of epsilon
   };
 
-  /// `sizes`: per face the length that multiplies the relative epsilon; `expected_log_sizes`: per vertex.
+  /// `sizes`: per face the length that multiplies the relative epsilon. Per vertex: `expected_log_sizes`, and
+  /// `target_weights`, how much the expectation there is a target of the user's (0 to 1; empty: nowhere).
   Field_elements(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
                  const std::vector<double>& sizes, std::vector<Vertex_restriction<N>> restrictions,
-                 std::vector<double> expected_log_sizes)
+                 std::vector<double> expected_log_sizes, std::vector<double> target_weights = {})
       : m_restrictions(std::move(restrictions)), m_expected_log_sizes(std::move(expected_log_sizes)),
-        m_first(m_restrictions.size() + 1, 0)
+        m_target_weights(std::move(target_weights)), m_first(m_restrictions.size() + 1, 0)
   {
     m_elements.reserve(std::size_t(mesh.number_of_faces()));
     for (int f = 0; f < mesh.number_of_faces(); ++f) {
@@ -64,6 +65,10 @@ public:
       m_total_area += element.area;
       m_elements.push_back(element);
     }
+    if (has_targets())
+      for (const Element& element : m_elements)
+        for (const int v : element.vertex)
+          m_target_area += element.area / 3 * target_weight(std::size_t(v));
     for (std::size_t v = 0; v < m_restrictions.size(); ++v)
       m_first[v + 1] = m_first[v] + m_restrictions[v].dimension;
   }
@@ -74,7 +79,11 @@ public:
   const Element& element(std::size_t e) const { return m_elements[e]; }
   const Vertex_restriction<N>& restriction(std::size_t v) const { return m_restrictions[v]; }
   double expected_log_size(std::size_t v) const { return m_expected_log_sizes[v]; }
+  bool has_targets() const { return !m_target_weights.empty(); }
+  double target_weight(std::size_t v) const { return has_targets() ? m_target_weights[v] : 0; }
   double total_area() const { return m_total_area; }
+  /// Of the part where there are targets.
+  double target_area() const { return m_target_area; }
   int first_unknown(std::size_t v) const { return m_first[v]; }
 
   int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
@@ -139,8 +148,8 @@ public:
 private:
   std::vector<Element> m_elements;
   std::vector<Vertex_restriction<N>> m_restrictions;
-  std::vector<double> m_expected_log_sizes;
-  double m_total_area = 0;
+  std::vector<double> m_expected_log_sizes, m_target_weights;
+  double m_total_area = 0, m_target_area = 0;
   std::vector<int> m_first;
 };
 

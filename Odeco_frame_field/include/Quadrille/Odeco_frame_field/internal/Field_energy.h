@@ -47,6 +47,8 @@ public:
   /// Adds `weight` times half the mean over the domain of the squared logarithm of size against the expected one. It
   /// decides between fields that are equally integrable, as along the flat valleys of a melted field.
   void set_size_attraction(double weight) { m_size_attraction = weight; }
+  /// The same where the expected size is a target, with the mean over that part of the domain.
+  void set_target_attraction(double weight) { m_target_attraction = weight; }
 
   /// Adds `weight` times half the integral of the squared gradient of that logarithm: sizes then change no faster than
   /// expected. An anisotropic field without it is free to change its sizes across straight curves at once.
@@ -167,17 +169,23 @@ private:
   /// \pre `q` has a positive area at the quadrature points.
   void add_size_attraction(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
   {
-    if (m_size_attraction == 0) {
+    if (m_size_attraction == 0 && (m_target_attraction == 0 || !m_elements->has_targets())) {
       r.template segment<points>(first_size_row).setZero();
       if (J)
         J->template middleRows<points>(first_size_row).setZero();
       return;
     }
-    double expected[3];
-    for (std::size_t k = 0; k < 3; ++k)
+    double expected[3], target_weight[3];
+    for (std::size_t k = 0; k < 3; ++k) {
       expected[k] = m_elements->expected_log_size(std::size_t(element.vertex[k]));
-    const double factor = std::sqrt(m_size_attraction * element.area / (3 * m_elements->total_area()));
+      target_weight[k] = m_elements->target_weight(std::size_t(element.vertex[k]));
+    }
     for (int p = 0; p < points; ++p) {
+      const double target = (target_weight[0] + target_weight[1] + target_weight[2]) / 6 + 0.5 * target_weight[p];
+      double density = m_size_attraction / m_elements->total_area();
+      if (target > 0)
+        density += m_target_attraction * target / m_elements->target_area();
+      const double factor = std::sqrt(density * element.area / 3);
       Coefficients area_derivatives;
       const double area = Traits::area(interpolate(q, p), &area_derivatives);
       const double log_size = (expected[0] + expected[1] + expected[2]) / 6 + 0.5 * expected[p];
@@ -227,6 +235,7 @@ private:
   const Field_elements<N>* m_elements;
   double m_relative_epsilon;
   double m_size_attraction = 0;
+  double m_target_attraction = 0;
   double m_grading_attraction = 0;
 };
 

@@ -35,7 +35,7 @@ public:
   using Coefficients = typename Field_elements<N>::Coefficients;
 
   Field_solver(const Field_elements<N>& elements, const Melt_and_freeze_schedule& schedule, int threads,
-               const Progress_observer* observer, Field_solver_kind kind)
+               const Progress_observer* observer, Field_solver_kind kind, double target_attraction = 0)
       : m_elements(elements), m_schedule(schedule), m_observer(observer), m_kind(kind),
         m_smoothness(elements, schedule.smooth_epsilon), m_integrability(elements, schedule.final_epsilon),
         m_smooth_problem(m_smoothness, elements.number_of_unknowns(), threads),
@@ -45,6 +45,7 @@ public:
     if (kind == Field_solver_kind::lbfgs)
       throw Invalid_argument_error("the L-BFGS reference solver needs ALGLIB, which this build does not have");
 #endif
+    m_integrability.set_target_attraction(target_attraction);
     if constexpr (N == 5)
       m_integrability.set_grading_attraction(schedule.grading_attraction);
     if (elements.number_of_unknowns() > 0)
@@ -116,10 +117,14 @@ public:
   }
 
   double integrability_energy(const Eigen::VectorXd& x) const { return m_integrable_problem.energy(x); }
-  /// E_Lie alone; planar-2, eq. (30).
-  double lie_energy(const Eigen::VectorXd& x) const
+  /// The papers' two parts of the integrability energy.
+  struct Energy_parts {
+    double lie = 0;   ///< E_Lie; planar-2, eq. (30)
+    double odeco = 0; ///< E_odeco / epsilon^2; planar-2, eqs. (31), (33)
+  };
+  Energy_parts energy_parts(const Eigen::VectorXd& x) const
   {
-    double energy = 0;
+    Energy_parts parts;
     std::array<int, std::size_t(Integrability::max_unknowns)> index;
     for (std::size_t e = 0; e < m_integrability.number_of_elements(); ++e) {
       typename Integrability::Unknowns local = Integrability::Unknowns::Zero();
@@ -127,11 +132,15 @@ public:
       for (int i = 0; i < count; ++i)
         local[i] = x[index[std::size_t(i)]];
       typename Integrability::Residuals residuals;
-      if (!m_integrability.evaluate(e, local, residuals, nullptr))
-        return std::numeric_limits<double>::infinity();
-      energy += 0.5 * residuals.template head<Integrability::first_odeco_row>().squaredNorm();
+      if (!m_integrability.evaluate(e, local, residuals, nullptr)) {
+        parts.lie = parts.odeco = std::numeric_limits<double>::infinity();
+        return parts;
+      }
+      constexpr int lie_end = Integrability::first_odeco_row, odeco_end = Integrability::first_size_row;
+      parts.lie += 0.5 * residuals.template head<lie_end>().squaredNorm();
+      parts.odeco += 0.5 * residuals.template segment<odeco_end - lie_end>(lie_end).squaredNorm();
     }
-    return energy;
+    return parts;
   }
   /// Accepted steps of all minimisations so far.
   int iterations() const { return m_iterations; }

@@ -45,6 +45,12 @@ inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges
                                      " along it; isotropic frames have one size, so make them equal or the field "
                                      "anisotropic");
     }
+  for (const double size : options.target_size)
+    if (!(size >= 0) || !std::isfinite(size))
+      throw Invalid_argument_error("a vertex has the target size " + std::to_string(size) +
+                                   "; sizes must be positive and finite (0 for no target)");
+  if (!(options.target_size_weight >= 0))
+    throw Invalid_argument_error("the weight of target sizes must not be negative");
   const Melt_and_freeze_schedule& schedule = options.schedule;
   if (options.starts < 0 || options.threads < 0)
     throw Invalid_argument_error("the numbers of starts and of threads must not be negative");
@@ -140,7 +146,7 @@ public:
     gradients = gradients_of(x);
     m_result.energy = chosen.energy;
     m_result.energy_lie = chosen.energy_lie;
-    m_result.energy_odeco = chosen.energy - chosen.energy_lie;
+    m_result.energy_odeco = chosen.energy_odeco;
     for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v)
       m_result.harmonics.push_back(
           m_position.original_harmonics(Tensor_coefficients<N>::harmonics(m_elements.coefficients(v, x))));
@@ -150,9 +156,8 @@ public:
 
 private:
   /// Unit of length: the domain; unit of sizes: the geometric mean of the prescribed ones.
-  static Canonical_position canonical_position(const Indexed_triangulation& mesh,
-                                               const std::vector<Eigen::Vector2d>& points,
-                                               const std::vector<Constrained_halfedge>& edges)
+  Canonical_position canonical_position(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
+                                        const std::vector<Constrained_halfedge>& edges) const
   {
     double log_size = 0;
     int n_sizes = 0;
@@ -163,6 +168,12 @@ private:
             log_size += std::log(value);
             ++n_sizes;
           }
+    if (n_sizes == 0)
+      for (const double size : m_options.target_size)
+        if (size > 0) {
+          log_size += std::log(size);
+          ++n_sizes;
+        }
     const int first = edges.front().halfedge;
     return {points, points[std::size_t(mesh.target(first))] - points[std::size_t(mesh.source(first))],
             n_sizes > 0 ? std::exp(log_size / n_sizes) : 1};
@@ -178,19 +189,37 @@ private:
       for (Frame_size& size : edge.size)
         size = {m_position.size(size.normal), m_position.size(size.tangential)};
     std::vector<Vertex_restriction<N>> restrictions;
-    const std::vector<Vertex_constraint> constraints = collect_vertex_constraints(mesh, canonical_points, edges);
+    std::vector<Vertex_constraint> constraints = collect_vertex_constraints(mesh, canonical_points, edges);
+    std::vector<double> targets = m_options.target_size;
+    for (double& size : targets)
+      size = m_position.size(size);
+    if (m_options.impose_target_size)
+      for (std::size_t v = 0; v < targets.size(); ++v)
+        if (targets[v] > 0 && !constraints[v].has_size()) {
+          constraints[v].size[0].add(targets[v]);
+          constraints[v].size[1].add(targets[v]);
+        }
     for (const Vertex_constraint& constraint : constraints) {
       restrictions.emplace_back();
       restrict_vertex(constraint, restrictions.back());
       m_result.free_corners += constraint.is_free_corner() ? 1 : 0;
     }
     return Field_elements<N>(mesh, canonical_points, local_triangle_sizes(mesh, canonical_points),
-                             std::move(restrictions), harmonic_log_sizes(mesh, canonical_points, constraints));
+                             std::move(restrictions), harmonic_log_sizes(mesh, canonical_points, constraints, targets),
+                             target_weights(targets));
+  }
+
+  static std::vector<double> target_weights(const std::vector<double>& targets)
+  {
+    std::vector<double> weights(targets.size());
+    std::transform(targets.begin(), targets.end(), weights.begin(), [](double size) { return size > 0 ? 1. : 0.; });
+    return weights;
   }
 
   void compute_smooth_and_relaxed_starts()
   {
-    Field_solver<N> solver(m_elements, m_schedule, m_options.threads, m_options.observer, m_options.solver);
+    Field_solver<N> solver(m_elements, m_schedule, m_options.threads, m_options.observer, m_options.solver,
+                           m_options.target_size_weight);
     const Stopwatch smooth_watch;
     m_fields[0] = solver.smooth_field(1);
     Field_start start;
@@ -208,7 +237,8 @@ private:
   void compute_melted_start(std::size_t i)
   {
     const Stopwatch watch;
-    Field_solver<N> solver(m_elements, m_schedule, 1, m_options.observer, m_options.solver);
+    Field_solver<N> solver(m_elements, m_schedule, 1, m_options.observer, m_options.solver,
+                           m_options.target_size_weight);
     Field_start start;
     start.kind = Field_start::Kind::melted;
     start.seed = m_options.seed + i;
@@ -222,7 +252,9 @@ private:
   void finish_start(std::size_t i, Field_start start, const Field_solver<N>& solver, const Stopwatch& watch)
   {
     start.energy = solver.integrability_energy(m_fields[i]);
-    start.energy_lie = solver.lie_energy(m_fields[i]);
+    const typename Field_solver<N>::Energy_parts parts = solver.energy_parts(m_fields[i]);
+    start.energy_lie = parts.lie;
+    start.energy_odeco = parts.odeco;
     const Gradients gradients = std::isfinite(start.energy) ? gradients_of(m_fields[i]) : Gradients();
     start.valid = !gradients.empty();
     start.cost = std::numeric_limits<double>::infinity();
@@ -290,6 +322,9 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
                                              const Planar_field<3>::Evaluator& evaluator, Gradients& gradients)
 {
   check_field_arguments(edges, options);
+  if (!options.target_size.empty() && options.target_size.size() != points.size())
+    throw Invalid_argument_error("there are " + std::to_string(options.target_size.size()) + " target sizes for " +
+                                 std::to_string(points.size()) + " vertices");
   if (options.isotropic)
     return Planar_field<3>(mesh, points, edges, options, evaluator).solve(gradients);
   return Planar_field<5>(mesh, points, edges, options, evaluator).solve(gradients);

@@ -16,10 +16,11 @@ namespace Quadrille {
 namespace internal {
 
 /// The sizes that one expects between the prescribed ones: the harmonic extension of their logarithms, per vertex. Zero
-/// where no size is prescribed at all.
+/// where no size is prescribed at all. `target_size`: per vertex, or empty; 0 where there is none.
 inline std::vector<double> harmonic_log_sizes(const Indexed_triangulation& mesh,
                                               const std::vector<Eigen::Vector2d>& points,
-                                              const std::vector<Vertex_constraint>& constraints)
+                                              const std::vector<Vertex_constraint>& constraints,
+                                              const std::vector<double>& target_size)
 {
   std::vector<double> log_sizes(points.size(), 0.0);
   std::vector<int> unknown(points.size(), -1);
@@ -27,10 +28,15 @@ inline std::vector<double> harmonic_log_sizes(const Indexed_triangulation& mesh,
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (constraints[v].has_size())
       log_sizes[v] = std::log(constraints[v].mean_size());
+    else if (!target_size.empty() && target_size[v] > 0)
+      log_sizes[v] = std::log(target_size[v]);
     else if (mesh.outgoing(int(v)) >= 0)
       unknown[v] = n++;
   }
-  if (n == 0 || std::none_of(constraints.begin(), constraints.end(), [](const auto& c) { return c.has_size(); }))
+  const bool any_prescribed =
+      std::any_of(constraints.begin(), constraints.end(), [](const auto& c) { return c.has_size(); });
+  const bool any_target = std::any_of(target_size.begin(), target_size.end(), [](double s) { return s > 0; });
+  if (n == 0 || !(any_prescribed || any_target))
     return log_sizes;
 
   std::vector<Eigen::Triplet<double>> entries;

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "temporary_files.h"
+
+#include <Quadrille/read_size_field.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace Quadrille;
+
+/// The grid of (n + 1)^2 vertices on [0, 1]^2.
+Planar_domain unit_square(int n)
+{
+  Labelled_mesh mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      mesh.points.push_back({double(i) / n, double(j) / n, 0});
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i;
+      mesh.polygons.push_back({a, a + 1, a + n + 2});
+      mesh.polygons.push_back({a, a + n + 2, a + n + 1});
+    }
+  return make_planar_domain(mesh, "unit square");
+}
+
+class Size_field : public Temporary_files {
+protected:
+  std::vector<double> sizes(const std::string& name, const std::string& text)
+  {
+    return read_size_field(write(name, text), m_domain);
+  }
+  void expect_failure(const std::string& name, const std::string& text, const std::string& word)
+  {
+    try {
+      sizes(name, text);
+      FAIL() << text;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
+
+  Planar_domain m_domain = unit_square(10);
+};
+
+TEST_F(Size_field, places_count_within_their_radius)
+{
+  const std::vector<double> field = sizes("a.csv", "# x, y, size, radius\n0.2, 0.2, 0.05, 0.15\n\n0.8 0.8\t0.1\n");
+  for (const auto v : m_domain.mesh.vertices()) {
+    const auto& p = m_domain.mesh.point(v);
+    const double first = std::hypot(p.x() - 0.2, p.y() - 0.2), second = std::hypot(p.x() - 0.8, p.y() - 0.8);
+    if (std::abs(first - 0.15) < 1e-6 || std::abs(second - 0.2) < 1e-6)
+      continue; // rounding decides
+    EXPECT_EQ(field[v.idx()], first < 0.15 ? 0.05 : second < 0.2 ? 0.1 : 0);
+  }
+}
+
+TEST_F(Size_field, small_places_count_for_the_nearest_vertex)
+{
+  const std::vector<double> field = sizes("a.txt", "0.52 0.49 0.001");
+  for (const auto v : m_domain.mesh.vertices()) {
+    const auto& p = m_domain.mesh.point(v);
+    EXPECT_EQ(field[v.idx()], std::hypot(p.x() - 0.5, p.y() - 0.5) < 1e-9 ? 0.001 : 0);
+  }
+}
+
+TEST_F(Size_field, views_are_interpolated)
+{
+  // Linear over the lower right triangle of the square, nothing elsewhere.
+  const std::vector<double> field = sizes("a.pos", "View \"size\" {\nST(0, 0, 0, 1, 0, 0, 1, 1, 0){1, 2, 4};\n};\n");
+  for (const auto v : m_domain.mesh.vertices()) {
+    const auto& p = m_domain.mesh.point(v);
+    if (std::abs(p.x() - p.y()) < 1e-9)
+      continue;
+    EXPECT_NEAR(field[v.idx()], p.y() < p.x() ? 1 + p.x() + 2 * p.y() : 0, 1e-9);
+  }
+  // Node data on a mesh of their own.
+  const std::vector<double> nodes = sizes("a.msh", R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+2
+1 2 2 1 1 1 2 3
+2 2 2 1 1 1 3 4
+$EndElements
+$NodeData
+1
+"size"
+1
+0
+3
+0
+1
+4
+1 0.1
+2 0.3
+3 0.5
+4 0.3
+$EndNodeData
+)");
+  for (const auto v : m_domain.mesh.vertices()) {
+    const auto& p = m_domain.mesh.point(v);
+    EXPECT_NEAR(nodes[v.idx()], 0.1 + 0.2 * (p.x() + p.y()), 1e-9);
+  }
+}
+
+TEST_F(Size_field, unusable_files_are_errors)
+{
+  expect_failure("a.txt", "0 0 1\n0 0\n", "line 2");
+  expect_failure("b.txt", "0 0 -1\n", "positive");
+  expect_failure("c.txt", "0 0 1 0\n", "positive");
+  expect_failure("d.txt", "0 0 nan\n", "column 5");
+  expect_failure("e.txt", "0 0 1x\n", "column 5");
+  expect_failure("f.txt", "# nothing\n", "no size");
+  expect_failure("g.txt", "", "empty");
+  expect_failure("h.dat", "0 0 1\n", ".csv");
+  expect_failure("i.pos", "View \"size\" {\nST(0, 0, 0, 1, 0, 0, 1, 1, 0){1, -2, 4};\n};\n", "positive");
+  expect_failure("j.pos", "View \"size\" {\nST(5, 5, 0, 6, 5, 0, 6, 6, 0){1, 2, 4};\n};\n", "anywhere inside");
+  expect_failure("k.pos", "Point(1) = {0, 0, 0};\n", "no node data");
+  EXPECT_THROW(read_size_field(path("none.txt"), m_domain), Invalid_input_error);
+}
+
+} // namespace
