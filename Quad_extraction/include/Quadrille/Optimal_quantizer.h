@@ -53,7 +53,7 @@ private:
 
 /// A lower bound of the cost of all admissible lengths, by linear programming; -infinity without a solver, or if that
 /// takes longer than `time_limit` seconds.
-double quantization_bound(const Quad_layout& layout, const Length_constraints& constraints, double time_limit = 10);
+double quantization_bound(const Quad_layout& layout, const Length_constraints& constraints, double time_limit = 2);
 
 } // namespace Quadrille
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <deque>
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -82,11 +83,12 @@ private:
       --count.euler;
       count.curve -= is_curve_link(link) ? 1 : 0;
     }
-    std::vector<int> cells;
+    std::map<int, std::vector<int>> cells; // patches without any width, by vertex
     for (int p = 0; p < size_of(m_layout.patches); ++p)
       if (m_collapsed.side_length(p, 0) == 0 && m_collapsed.side_length(p, 1) == 0) {
-        cells.push_back(p);
-        ++at(counts, vertex_of_cell(p)).euler;
+        const int vertex = m_collapsed.vertex(m_layout.source(at(m_layout.patches, p).sides[0].front()));
+        cells[vertex].push_back(p);
+        ++at(counts, vertex).euler;
       }
     std::vector<char> bad;
     bool any = false;
@@ -99,16 +101,9 @@ private:
       return;
     for (Class& merged : collect(bad, m_collapsed.number_of_points(), m_collapsed.point_links(),
                                  [this](int p) { return m_collapsed.vertex(p); })) {
-      for (const int p : cells)
-        if (vertex_of_cell(p) == m_collapsed.vertex(merged.elements.front()))
-          merged.cells.push_back(p);
+      merged.cells = cells[m_collapsed.vertex(merged.elements.front())];
       separate_vertices(merged);
     }
-  }
-
-  int vertex_of_cell(int p) const
-  {
-    return m_collapsed.vertex(m_layout.source(at(m_layout.patches, p).sides[0].front()));
   }
 
   void check_edges()

@@ -29,9 +29,10 @@ namespace internal::extraction {
 class Greedy_quantization {
 public:
   Greedy_quantization(const Quad_layout& layout, const Length_constraints& constraints)
-      : m_layout(layout), m_visits_in(layout.patches.size()), m_extent(layout.patches.size(), {0, 0}),
-        m_visits_of(layout.strips.size()), m_result(layout.strips.size(), -1), m_best(layout.strips.size(), 0),
-        m_cost(layout.strips.size(), 0), m_stamp(layout.strips.size(), 0), m_sums_of(layout.strips.size())
+      : m_layout(layout), m_visits_in(layout.patches.size()), m_first_open(layout.patches.size(), {0, 0}),
+        m_extent(layout.patches.size(), {0, 0}), m_visits_of(layout.strips.size()), m_result(layout.strips.size(), -1),
+        m_best(layout.strips.size(), 0), m_cost(layout.strips.size(), 0), m_stamp(layout.strips.size(), 0),
+        m_sums_of(layout.strips.size())
   {
     find_sums(constraints);
     const std::vector<double> factor = scaling(constraints);
@@ -188,12 +189,16 @@ private:
   {
     const Visit visit = at(m_visits, index);
     const double excess = visit.width - at(m_result, visit.strip);
-    set(index, at(m_result, visit.strip));
     const int beside = open_visit(visit.patch, visit.side);
-    if (beside >= 0) {
-      set(beside, at(m_visits, beside).width + excess);
+    if (beside >= 0) { // the patch's extent stays
+      at(m_visits, index).width -= excess;
+      change_cost(beside, -1);
+      at(m_visits, beside).width += excess;
+      change_cost(beside, 1);
+      queue_again(at(m_visits, beside).strip);
       return;
     }
+    set(index, at(m_result, visit.strip));
     const int first = open_neighbor(visit.patch, visit.side + 1);
     const int second = open_neighbor(visit.patch, (visit.side + 3) % 4);
     const double share = first >= 0 && second >= 0 ? excess / 2 : excess;
@@ -203,17 +208,18 @@ private:
   }
 
   /// A visit of a strip without a width between the sides `side` and `side + 2` of `patch`, or -1.
-  int open_visit(int patch, int side) const
+  int open_visit(int patch, int side)
   {
     const std::vector<int>& visits = at(at(m_visits_in, patch), side % 2);
-    const auto open =
-        std::find_if(visits.begin(), visits.end(), [this](int v) { return at(m_result, at(m_visits, v).strip) < 0; });
-    return open == visits.end() ? -1 : *open;
+    std::size_t& first = at(at(m_first_open, patch), side % 2);
+    while (first < visits.size() && at(m_result, at(m_visits, visits[first]).strip) >= 0)
+      ++first;
+    return first == visits.size() ? -1 : visits[first];
   }
 
   /// An open visit in the nearest patch beyond side `exit` of `patch` that has one in that direction; -1 if a curve
   /// comes first.
-  int open_neighbor(int patch, int exit) const
+  int open_neighbor(int patch, int exit)
   {
     const int start = patch;
     for (std::size_t passed = 0; passed < m_layout.patches.size(); ++passed) {
@@ -252,14 +258,16 @@ private:
 
   void change_costs(int patch, int side, int index, int sign)
   {
-    const auto change = [&](int v) {
-      const Visit& visit = at(m_visits, v);
-      if (at(m_result, visit.strip) < 0)
-        at(m_cost, visit.strip) += sign * cost(visit, at(m_best, visit.strip));
-    };
-    change(index);
+    change_cost(index, sign);
     for (const int other : at(at(m_visits_in, patch), 1 - side))
-      change(other);
+      change_cost(other, sign);
+  }
+
+  void change_cost(int index, int sign)
+  {
+    const Visit& visit = at(m_visits, index);
+    if (at(m_result, visit.strip) < 0)
+      at(m_cost, visit.strip) += sign * cost(visit, at(m_best, visit.strip));
   }
 
   void queue_again(int s)
@@ -273,6 +281,7 @@ private:
   const Quad_layout& m_layout;
   std::vector<Visit> m_visits;
   std::vector<std::array<std::vector<int>, 2>> m_visits_in; ///< by patch and side
+  std::vector<std::array<std::size_t, 2>> m_first_open;     ///< by patch and side: those before have a width
   std::vector<std::array<double, 2>> m_extent;              ///< by patch and side: current sum of the widths
   std::vector<std::vector<int>> m_visits_of;                ///< by strip
   std::vector<int> m_result;

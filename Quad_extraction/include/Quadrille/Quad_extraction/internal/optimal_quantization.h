@@ -46,7 +46,7 @@ public:
         return give_up();
       const Integer_solution solution = m_program.solve(
           m_constraints, [](int) { return true; }, false, seconds, m_options.gap);
-      if (solution.infeasible)
+      if (solution.infeasible && m_result.lengths.empty())
         throw No_result_error("quantization", Request_conflict(m_program, m_constraints).explanation());
       m_result.lower_bound = std::max(m_result.lower_bound, solution.lower_bound + m_program.deviation().least_cost());
       if (solution.value.empty())

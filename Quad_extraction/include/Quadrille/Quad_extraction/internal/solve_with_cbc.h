@@ -9,6 +9,7 @@
 #endif
 
 #include <Quadrille/Quad_extraction/internal/Integer_program.h>
+#include <Quadrille/Quad_extraction/internal/Lap_timer.h>
 
 #include <coin/Cbc_C_Interface.h>
 
@@ -61,12 +62,16 @@ inline Integer_solution solve_with_cbc(const Integer_program& program, bool rela
   Cbc_setParameter(model.get(), "timeMode", "elapsed");
   Cbc_setParameter(model.get(), "seconds", std::to_string(std::max(seconds, 0.01)).c_str());
   Cbc_setParameter(model.get(), "ratioGap", std::to_string(gap).c_str());
+  const Lap_timer timer;
   Cbc_solve(model.get());
 
   Integer_solution solution;
-  solution.infeasible = Cbc_isProvenInfeasible(model.get()) != 0;
-  solution.interrupted = Cbc_status(model.get()) == 1;
-  if (solution.infeasible)
+  // When time runs out before there is a solution, CBC may say "infeasible", too.
+  constexpr double certainly_in_time = 0.8;
+  const bool no_solution = Cbc_isProvenInfeasible(model.get()) != 0;
+  solution.infeasible = no_solution && timer.passed() < certainly_in_time * seconds;
+  solution.interrupted = Cbc_status(model.get()) == 1 || (no_solution && !solution.infeasible);
+  if (no_solution)
     return solution;
   const double* best = relaxed ? Cbc_getColSolution(model.get()) : Cbc_bestSolution(model.get());
   if (best) {
