@@ -46,7 +46,11 @@ Seamless_map<Mesh> integrate(const Planar_domain& domain, const std::vector<Grad
 }
 
 /// A candidate without a locally injective map is worse than every other, by how much of it is folded.
-double cost(const Seamless_map<Mesh>& map) { return map.flipped == 0 ? map.integration_error : 1e3 + map.flipped; }
+double cost(const Seamless_map<Mesh>& map)
+{
+  const std::size_t n_folded = std::size_t(map.flipped) + map.misturned_vertices.size();
+  return n_folded == 0 ? map.integration_error : 1e3 + double(n_folded);
+}
 
 /// Map and quads of one start's field. `result` is filled as far as that gets.
 void mesh_start(const Planar_domain& domain, std::size_t start, const std::vector<Gradient_pair>& gradients,

@@ -58,6 +58,8 @@ po::options_description quad_options()
   options.add_options()("impose-size-field", "fix these sizes instead of attracting to them");
   options.add_options()("triangle-size", po::value<Strings>()->value_name("H"),
                         "largest edge of the background triangulation (default: chosen and printed)");
+  options.add_options()("max-quads", po::value<Strings>()->value_name("N"),
+                        "refuse sizes that ask for more quads (default 1000000)");
   options.add_options()("isotropic", "square elements (the default)");
   options.add_options()("anisotropic", "rectangular elements: sizes across and along curves may differ");
   options.add_options()("solver", po::value<Strings>()->value_name("lm|lbfgs"),
@@ -173,6 +175,7 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   result.triangle_size = options.number("triangle-size", 0.0, 0.0);
   if (options.has("triangle-size") && result.triangle_size == 0)
     throw Invalid_argument_error("option --triangle-size: the size must be positive");
+  result.max_quads = options.number<std::size_t>("max-quads", result.max_quads, 1);
   const std::string solver = options.one("solver", "lm");
   if (solver != "lm" && solver != "lbfgs")
     throw Invalid_argument_error("option --solver: '" + solver + "' is neither lm nor lbfgs");

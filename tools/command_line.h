@@ -27,6 +27,7 @@ struct Quad_arguments {
   std::string size_field;   ///< file with sizes inside; empty: none
   double size_field_weight = Odeco_field_options().target_size_weight;
   bool impose_size_field = false;
+  std::size_t max_quads = 1000000; ///< sizes that ask for more are refused
   bool anisotropic = false;
   Quantizer_kind quantizer = default_quantizer();
   Layout_kind layout = Quad_extraction_options().layout;

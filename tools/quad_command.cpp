@@ -11,6 +11,7 @@
 
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Size_specification.h>
+#include <Quadrille/estimate_quads.h>
 #include <Quadrille/read_planar_domain.h>
 #include <Quadrille/read_size_field.h>
 #include <Quadrille/write_file.h>
@@ -108,6 +109,7 @@ private:
                                    "': different sizes across and along a curve need anisotropic frames; add "
                                    "--anisotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
+    check_number_of_quads();
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     if (!m_arguments.size_field.empty())
       m_target_sizes = read_size_field(m_arguments.size_field, m_domain);
@@ -120,6 +122,19 @@ private:
     for (const auto* notes : {&m_domain.notes, &m_sizes.notes})
       for (const std::string& note : *notes)
         m_console.print(note);
+  }
+
+  /// A size that is too small by mistake should not cost hours and all memory.
+  void check_number_of_quads() const
+  {
+    const double n = estimate_number_of_quads(m_domain, m_sizes);
+    if (n <= double(m_arguments.max_quads))
+      return;
+    std::ostringstream message;
+    message.precision(2);
+    message << m_arguments.input << ": the sizes ask for about " << n << " quads, and the limit is "
+            << m_arguments.max_quads << "; give larger sizes, or raise the limit with --max-quads";
+    throw Invalid_argument_error(message.str());
   }
 
   void compute()
@@ -136,6 +151,7 @@ private:
     options.extraction.layout = m_arguments.layout;
     options.extraction.counts = m_counts;
     options.quantizer = m_arguments.quantizer;
+    options.extraction.max_quads = 4 * m_arguments.max_quads; // the estimate may be off by a factor
     options.observer = &m_console.observer();
     run_quad_pipeline(m_domain, constraints_of(m_domain, m_sizes), options, m_result);
     const auto start = std::chrono::steady_clock::now();

@@ -85,6 +85,64 @@ TEST_F(Bad_input, outlines)
   expect_error("exit.geo", "Exit;\n", "ended abnormally");
 }
 
+TEST_F(Bad_input, outlines_that_touch_themselves)
+{
+  const std::string square = points + "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};\n";
+  const std::string two_loops = "Curve Loop(1) = {1 : 4}; Curve Loop(2) = {5 : 7}; Plane Surface(1) = {1, 2};\n";
+  const std::string inner = "Point(6) = {0.4, 0.2, 0}; Point(7) = {0.2, 0.4, 0};\n";
+  expect_error("touching_hole.geo",
+               square + inner + "Line(5) = {1, 6}; Line(6) = {6, 7}; Line(7) = {7, 1};\n" + two_loops,
+               "touches itself in point 1");
+  expect_error("duplicate_point.geo",
+               square + inner + "Point(5) = {0, 0, 0}; Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 5};\n" +
+                   two_loops,
+               "points 1 and 5 have the same coordinates");
+  expect_error("hole_on_side.geo",
+               square + inner + "Point(5) = {0.5, 0, 0}; Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 5};\n" +
+                   two_loops,
+               "curves 1 and 5 cross, touch");
+  expect_error("gap_without_width.geo",
+               points + "Point(5) = {0.5, 0, 0}; Point(6) = {0.5, 0.5, 0}; Point(7) = {0.5, 0.5, 0};\n"
+                        "Point(8) = {0.5, 0, 0}; Line(1) = {1, 5}; Line(2) = {5, 6}; Line(3) = {6, 8};\n"
+                        "Line(4) = {8, 2}; Line(5) = {2, 3}; Line(6) = {3, 4}; Line(7) = {4, 1};\n"
+                        "Curve Loop(1) = {1 : 7}; Plane Surface(1) = {1};\n",
+               "points 5 and 8 have the same coordinates");
+  expect_error("overlapping_sides.geo",
+               square +
+                   "Point(5) = {0.2, 0, 0}; Point(6) = {0.8, 0, 0}; Point(7) = {0.5, 0.5, 0};\n"
+                   "Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 5};\n" +
+                   two_loops,
+               "curves 1 and 5 overlap");
+  expect_error("spike.geo",
+               points + "Line(1) = {1, 2}; Point(5) = {2, 0, 0}; Line(2) = {2, 5}; Line(3) = {5, 1};\n"
+                        "Curve Loop(1) = {1 : 3}; Plane Surface(1) = {1};\n",
+               "overlap");
+  expect_error("two_circles.geo",
+               "r = 1;\nPoint(1) = {0, 0, 0}; Point(2) = {r, 0, 0}; Point(3) = {-r, 0, 0}; Point(4) = {2, 0, 0};\n"
+               "Point(5) = {3, 0, 0}; Circle(1) = {2, 1, 3}; Circle(2) = {3, 1, 2}; Circle(3) = {2, 4, 5};\n"
+               "Circle(4) = {5, 4, 2}; Curve Loop(1) = {1, 2}; Curve Loop(2) = {3, 4}; Plane Surface(1) = {1};\n"
+               "Plane Surface(2) = {2};\n",
+               "touches itself in point 2");
+}
+
+TEST_F(Bad_input, features_that_leave_the_domain)
+{
+  const std::string square = points + "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};\n"
+                                      "Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};\n";
+  expect_error("crossing.geo",
+               square + "Point(5) = {0.5, 0.5, 0}; Point(6) = {1.5, 0.5, 0}; Line(5) = {5, 6};\n"
+                        "Curve{5} In Surface{1};\n",
+               "curves 2 and 5 cross");
+  expect_error("outside.geo",
+               square + "Point(5) = {1.5, 0.5, 0}; Point(6) = {1.6, 0.7, 0}; Line(5) = {5, 6};\n"
+                        "Curve{5} In Surface{1};\n",
+               "curve 5 leaves surface 1");
+  expect_error("from_a_corner.geo", square + "Point(5) = {1.5, 0.5, 0}; Line(5) = {2, 5}; Curve{5} In Surface{1};\n",
+               "curve 5 leaves surface 1");
+  const std::string slit = square + "Point(5) = {0.5, 0.5, 0}; Line(5) = {2, 5}; Curve{5} In Surface{1};\n";
+  EXPECT_EQ(read_planar_domain(write("slit.geo", slit)).curves.size(), 5u); // within, although it starts on the border
+}
+
 TEST_F(Bad_input, an_endless_script_is_stopped)
 {
   const std::string file = write("loop.geo", "i = 0;\nFor k In {0 : 1e15}\n i = k;\nEndFor\n");
@@ -125,12 +183,12 @@ TEST_F(Bad_input, triangles)
 
 TEST_F(Bad_input, good_meshes_are_read)
 {
-  EXPECT_EQ(read_planar_domain(write("square.off", off_square)).mesh.number_of_faces(), 2u);
+  EXPECT_EQ(read_planar_domain(write("square.off", off_square)).mesh.number_of_faces(), 4u); // a chord is split
   // Clockwise as a whole, with an isolated point.
   const Planar_domain domain =
       read_planar_domain(write("back.off", "OFF\n5 2 0\n9 9 9\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 3 2 1\n3 4 3 1\n"));
-  EXPECT_EQ(domain.mesh.number_of_vertices(), 4u);
-  EXPECT_EQ(domain.notes.size(), 1u);
+  EXPECT_EQ(domain.mesh.number_of_vertices(), 5u);
+  EXPECT_EQ(domain.notes.size(), 2u); // the order, and the chord
 }
 
 /// Nothing in a folder of hostile files may do worse than an error.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <Quadrille/Size_specification.h>
+#include <Quadrille/estimate_quads.h>
 #include <Quadrille/exceptions.h>
 
 #include <gtest/gtest.h>
@@ -78,9 +79,46 @@ TEST(Size_specification, constant_and_named_sizes)
   EXPECT_EQ(sizes_at(domain, sizes, 0.5, 1), (Pair{0.5, 0.5}));
   EXPECT_EQ(sizes_at(domain, sizes, 4, 0.5), (Pair{1, 1}));
   EXPECT_EQ(sizes_at(domain, sizes, 0, 0.5), (Pair{2, 2}));
-  const Domain_sizes last_wins = apply(domain, {"top=3", "4=5"});
-  EXPECT_EQ(sizes_at(domain, last_wins, 0.5, 1), (Pair{5, 5}));
-  EXPECT_EQ(sizes_at(domain, last_wins, 0.5, 0), (Pair{0, 0})); // free
+  for (const std::vector<std::string>& items :
+       {std::vector<std::string>{"top=3", "4=5"}, std::vector<std::string>{"4=5", "top=3"}}) {
+    const Domain_sizes tag_wins = apply(domain, items);
+    EXPECT_EQ(sizes_at(domain, tag_wins, 0.5, 1), (Pair{5, 5}));
+    EXPECT_EQ(sizes_at(domain, tag_wins, 0.5, 0), (Pair{0, 0})); // free
+  }
+}
+
+TEST(Size_specification, contradictions_are_refused)
+{
+  Planar_domain named = strip(4);
+  named.curves[3].names.push_back("outlet"); // the top, which has tag 4
+  const Planar_domain& domain = named;
+  const auto expect_contradiction = [&](const std::vector<std::string>& items, const std::string& word) {
+    try {
+      apply(domain, items);
+      ADD_FAILURE() << items[0] << " " << items[1];
+    } catch (const Invalid_argument_error& error) {
+      EXPECT_NE(std::string(error.what()).find("contradict"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  };
+  expect_contradiction({"1", "2"}, "every curve");
+  expect_contradiction({"top=1", "top=2"}, "curve 4 of strip");
+  expect_contradiction({"top=1", "outlet=2"}, "'top=1' and 'outlet=2'");
+  expect_contradiction({"4=1:2", "4=2:1"}, "curve 4");
+  expect_contradiction({"top=1x2", "outlet=2x1"}, "curve 4");
+  EXPECT_NO_THROW(apply(domain, {"1", "1", "top=2", "outlet=2", "4=3"}));
+}
+
+TEST(Size_specification, number_of_quads_is_estimated)
+{
+  const Planar_domain domain = strip(40);
+  EXPECT_NEAR(estimate_number_of_quads(domain, apply(domain, {"0.1"})), 4000, 1e-6);
+  EXPECT_NEAR(estimate_number_of_quads(domain, apply(domain, {"0.5", "bottom=0.2x0.5", "top=0.2x0.5"})), 400, 4);
+  EXPECT_EQ(estimate_number_of_quads(domain, apply(domain, {"top=free"})), 0);
+  // From 1 to 4 along the strip: the integral of 1 / h^2 is 40 / (1 * 4) = 10.
+  const double n = estimate_number_of_quads(domain, apply(domain, {"bottom=1:4", "top=4:1"}));
+  EXPECT_GT(n, 8);
+  EXPECT_LT(n, 13);
 }
 
 TEST(Size_specification, linear_sizes_run_along_the_joined_curves)

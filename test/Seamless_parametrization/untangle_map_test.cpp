@@ -22,7 +22,9 @@ TEST(Untangling, gradient_agrees_with_finite_differences)
   const internal::Seamless_space space = internal::Seamless_constraints(triangulation, map.topology, map.cut)();
   internal::Reduced_elements elements(space);
   const std::vector<double> weights(mesh.triangles.size(), 0.1);
-  internal::Untangling_problem problem(geometry, frames, weights, elements, 1);
+  const std::vector<internal::Aligned_halfedge> aligned = internal::aligned_halfedges(map.topology, map.cut);
+  ASSERT_FALSE(aligned.empty());
+  internal::Untangling_problem problem(geometry, frames, aligned, weights, elements, 1);
   std::mt19937 generator(1);
   Eigen::VectorXd y(elements.number_of_parameters());
   for (double& value : y) // random coordinates: about half of the triangles are flipped
@@ -56,6 +58,7 @@ TEST(Untangling, regularisation_is_positive_and_tends_to_the_positive_part)
 TEST(Untangling, noisy_fields_are_unfolded_exactly)
 {
   int folded = 0;
+  int reversed = 0;
   for (unsigned seed = 0; seed < 4; ++seed) {
     const Planar_mesh mesh = plate_with_holes_mesh(0.2);
     const std::vector<Gradient_pair> frames = perturbed(smooth_cross_field(mesh, 0.1), 0.7, seed);
@@ -66,10 +69,13 @@ TEST(Untangling, noisy_fields_are_unfolded_exactly)
     EXPECT_EQ(raw.untangling_rounds, 0);
     EXPECT_EQ(raw.flipped_before_untangling, int(raw.flipped_faces.size()));
     folded += !raw.flipped_faces.empty();
+    reversed += raw.reversed_edges;
     options.untangle = true;
     const Seamless_map_data map = compute_map(mesh, frames, {}, options);
     expect_exactly_seamless(mesh, map);
     EXPECT_TRUE(map.flipped_faces.empty());
+    EXPECT_EQ(map.reversed_edges, 0);
+    EXPECT_TRUE(map.misturned_vertices.empty());
     EXPECT_EQ(map.flipped_before_untangling, raw.flipped_before_untangling);
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
       EXPECT_EQ(internal::exact_orientation(map.uv[3 * f], map.uv[3 * f + 1], map.uv[3 * f + 2]), 1);
@@ -78,6 +84,7 @@ TEST(Untangling, noisy_fields_are_unfolded_exactly)
     EXPECT_EQ(compute_map(mesh, frames, {}, options).uv, map.uv);
   }
   EXPECT_GT(folded, 1); // otherwise this tests nothing
+  EXPECT_GT(reversed, 0) << folded;
 }
 
 TEST(Untangling, faces_that_the_constraints_flatten_are_told)

@@ -154,6 +154,10 @@ TEST_F(Program, unusable_arguments)
   expect_failure({"quad", in, "-o", out, "--size", "nan"}, 2, "nan");
   expect_failure({"quad", in, "-o", out, "--size", "lid=1"}, 2, "bottom");
   expect_failure({"quad", in, "-o", out, "--size", "bottom=1x2"}, 2, "anisotropic");
+  expect_failure({"quad", in, "-o", out, "--size", "bottom=1", "--size", "bottom=2"}, 2, "contradict");
+  expect_failure({"quad", in, "-o", out, "--size", "1e-5"}, 2, "--max-quads");
+  expect_failure({"quad", in, "-o", out, "--size", "0.01", "--max-quads", "100"}, 2, "100;");
+  expect_failure({"quad", in, "-o", out, "--max-quads", "0"}, 2, "--max-quads");
   expect_failure({"quad", in, "-o", out, "--field", path("out/f.txt")}, 2, ".vtu");
   expect_failure({"quad", in, "-o", out, "--picture", path("out/f.gif")}, 2, ".svg");
   expect_failure({"quad", in, "-o", out, "--json", out}, 2, "twice");

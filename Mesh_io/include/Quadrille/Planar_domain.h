@@ -70,6 +70,7 @@ struct Planar_domain {
   double z = 0;                   ///< of the plane that it lies in
   std::string source;             ///< where it came from, for messages: usually the file name
   double triangle_size = 0;       ///< largest triangle edge that was asked for; 0 for meshes taken as they are
+  int number_of_split_chords = 0; ///< see `Planar_domain_options::split_chords`
   std::vector<std::string> notes; ///< choices made while reading that the user should know
 
   Indexed_property_map<edge_descriptor, int> curve_map() const { return {&edge_curve}; }
@@ -96,6 +97,9 @@ struct Planar_domain_options {
   int max_triangles = 30000;
   /// Two border edges that deviate by more than this many degrees from a straight line meet in a corner.
   double corner_degrees = 40;
+  /// Split inner edges that join two vertices of curves, except across sharp corners: no map that is aligned with the
+  /// curves has room for a triangle with all corners on one side. New vertices come after those of the input.
+  bool split_chords = true;
   /// Let the geometry library work in a child process (where the system has them), so that its crashes, endless loops
   /// and global state stay out of this process.
   bool isolate_geometry_kernel = true;

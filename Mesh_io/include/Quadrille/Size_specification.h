@@ -35,8 +35,9 @@ struct Domain_sizes {
 /// * `NAME=NxT`: size N across and T along the curve, which needs an anisotropic field unless N = T;
 /// * `NAME=N1xT1:N2xT2`: both, linear in arc length.
 ///
-/// Instead of a number, `free` leaves a size open: `NAME=free`, `NAME=Nxfree`, `NAME=freexT`. Later items win over
-/// earlier ones.
+/// Instead of a number, `free` leaves a size open: `NAME=free`, `NAME=Nxfree`, `NAME=freexT`. What is said of a
+/// curve by its tag wins over what is said of its group, and that over what is said of every curve; items of one kind
+/// must not contradict each other.
 class Size_specification {
 public:
   Size_specification() = default;
@@ -59,7 +60,7 @@ public:
   /// Curves that no item names take the sizes that the file gives at their points (linear in arc length); where there
   /// are none, they are left free if any item was given, and otherwise get the bounding box's diagonal / 40.
   /// \throws Invalid_argument_error if a name does not exist in `domain` (listing those that do), if A and B differ on
-  /// a closed or branching curve.
+  /// a closed or branching curve, or if two items give the same curve different sizes.
   Domain_sizes apply(const Planar_domain& domain) const;
 
 private:
@@ -67,6 +68,11 @@ private:
     std::string text, name; ///< name is empty for every curve
     Frame_size first, last;
 
+    bool is_same_size(const Item& other) const
+    {
+      return first.normal == other.first.normal && first.tangential == other.first.tangential &&
+             last.normal == other.last.normal && last.tangential == other.last.tangential;
+    }
     bool is_constant() const { return first.normal == last.normal && first.tangential == last.tangential; }
   };
   std::vector<Item> m_items;

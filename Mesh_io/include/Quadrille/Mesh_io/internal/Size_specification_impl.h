@@ -179,6 +179,14 @@ inline std::vector<int> curves_named(const Planar_domain& domain, const std::str
   return by_name.empty() ? by_tag : by_name;
 }
 
+/// Whether a name is that of a physical group of curves; otherwise it can only be a tag.
+inline bool is_group_of_curves(const Planar_domain& domain, const std::string& name)
+{
+  return std::any_of(domain.curves.begin(), domain.curves.end(), [&](const Planar_domain::Curve& curve) {
+    return std::find(curve.names.begin(), curve.names.end(), name) != curve.names.end();
+  });
+}
+
 inline std::string list_of_names(const Planar_domain& domain)
 {
   std::set<std::string> names;
@@ -278,8 +286,12 @@ inline Domain_sizes Size_specification::apply(const Planar_domain& domain) const
 
   const Item* everywhere = nullptr;
   for (const Item& item : m_items)
-    if (item.name.empty())
+    if (item.name.empty()) {
+      if (everywhere && !everywhere->is_same_size(item))
+        throw Invalid_argument_error("sizes '" + everywhere->text + "' and '" + item.text +
+                                     "' contradict each other: both are for every curve");
       everywhere = &item;
+    }
   if (everywhere) {
     for (std::size_t c = 0; c < domain.curves.size(); ++c)
       setter.set_constant(int(c), everywhere->first);
@@ -293,13 +305,30 @@ inline Domain_sizes Size_specification::apply(const Planar_domain& domain) const
     sizes.notes.push_back("element size " + internal::format_number(size) + " everywhere (bounding box diagonal / 40)");
   }
 
-  for (const Item& item : m_items) {
-    if (item.name.empty())
-      continue;
+  // Groups first: what is said of a curve by its tag is more special.
+  std::vector<const Item*> named;
+  for (const Item& item : m_items)
+    if (!item.name.empty())
+      named.push_back(&item);
+  const auto first_tag = std::stable_partition(
+      named.begin(), named.end(), [&](const Item* item) { return internal::is_group_of_curves(domain, item->name); });
+  std::vector<const Item*> item_of_curve(domain.curves.size(), nullptr);
+  for (auto place = named.begin(); place != named.end(); ++place) {
+    const Item& item = **place;
+    if (place == first_tag)
+      item_of_curve.assign(domain.curves.size(), nullptr);
     const std::vector<int> curves = internal::curves_named(domain, item.name);
     if (curves.empty())
       throw Invalid_argument_error("size '" + item.text + "': there is no curve named '" + item.name + "' in " +
                                    domain.source + " (" + internal::list_of_names(domain) + ")");
+    for (const int c : curves) {
+      const Item*& other = item_of_curve[std::size_t(c)];
+      if (other && !other->is_same_size(item))
+        throw Invalid_argument_error("sizes '" + other->text + "' and '" + item.text +
+                                     "' contradict each other: both are for curve " +
+                                     std::to_string(domain.curves[std::size_t(c)].tag) + " of " + domain.source);
+      other = &item;
+    }
     std::vector<internal::Curve_sequence> sequences;
     if (item.is_constant()) {
       for (const int c : curves)

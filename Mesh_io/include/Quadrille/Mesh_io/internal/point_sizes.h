@@ -41,6 +41,18 @@ private:
   std::filesystem::path m_path;
 };
 
+/// Forgets the size fields of the current Gmsh model: Gmsh 4.8 crashes when it writes some of them. It does not tell
+/// their tags, so all that are usual are tried.
+inline void remove_size_fields()
+{
+  for (int tag = 1; tag <= 1000; ++tag)
+    try {
+      gmsh::model::mesh::field::remove(tag);
+    } catch (...) { // of several types in different versions; there is no such field
+      continue;
+    }
+}
+
 /// The element sizes that the points of the current Gmsh model (built-in kernel) carry, by point tag.
 ///
 /// Gmsh 4.8 has no call that returns them, but it writes them: `cl__1 = 0.5; Point(1) = {x, y, z, cl__1};`.
@@ -51,6 +63,7 @@ inline std::map<int, double> read_point_sizes()
   const Temporary_folder folder;
   if (folder.path().empty())
     return sizes;
+  remove_size_fields();
   const std::string file_name = (folder.path() / "model.geo_unrolled").string();
   gmsh::write(file_name);
   std::ifstream file(file_name);

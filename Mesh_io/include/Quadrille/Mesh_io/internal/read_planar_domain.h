@@ -74,8 +74,12 @@ inline Planar_domain read_planar_domain(const std::string& path, const Planar_do
   if (options.triangle_size > 0)
     throw Invalid_argument_error(path + ": a triangle size is only for geometry files; the triangles of a mesh file "
                                         "are taken as they are");
-  return make_planar_domain(
+  Planar_domain domain = make_planar_domain(
       internal::read_labelled_mesh(path, options.isolate_geometry_kernel, options.time_limit_seconds), path, options);
+  if (domain.number_of_split_chords > 0)
+    domain.notes.push_back(std::to_string(domain.number_of_split_chords) +
+                           " inner edges of the triangles, between two points of curves, were split");
+  return domain;
 }
 
 } // namespace Quadrille

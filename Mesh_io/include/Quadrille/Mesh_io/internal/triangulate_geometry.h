@@ -8,6 +8,7 @@
 #include <Quadrille/Mesh_io/internal/Segment_mesher.h>
 #include <Quadrille/Mesh_io/internal/Triangle_size_estimator.h>
 #include <Quadrille/Mesh_io/internal/Unit_frame.h>
+#include <Quadrille/Mesh_io/internal/check_outline.h>
 #include <Quadrille/Mesh_io/internal/load_outline.h>
 #include <Quadrille/Mesh_io/internal/split_ears.h>
 
@@ -69,26 +70,6 @@ inline Segmented_outline segment_outline(const Outline& outline, const Outline& 
   return result;
 }
 
-inline void check_no_conflict(const Outline& outline, const Segmented_outline& segmented, bool is_coarse,
-                              const std::string& path)
-{
-  const auto pair = find_segment_conflict(segmented.points, segmented.segments);
-  if (!pair)
-    return;
-  const auto tag = [&](std::size_t s) {
-    return std::to_string(outline.curves[std::size_t(segmented.curve_of_segment[s])].label.tag);
-  };
-  const Point_2& p = segmented.points[std::size_t(segmented.segments[pair->first].ends[0])];
-  const std::string place = Triangle_checker::format_place(p.x(), p.y());
-  const std::string a = tag(pair->first), b = tag(pair->second);
-  if (a == b)
-    throw Invalid_input_error(path + ": curve " + a + " intersects itself near " + place);
-  throw Invalid_input_error(
-      path + ": the outline intersects itself: curves " + a + " and " + b + " cross, touch or overlap near " + place +
-      " without a common point there" +
-      (is_coarse ? ", or come closer than the triangles there; try a smaller triangle size" : ""));
-}
-
 /// About 2,200 triangles for a simple shape, before local refinement. Every hole beyond the first brings more
 /// singularities to be placed, and a quarter more triangles, up to four times as many.
 inline double default_triangle_size(const Outline& outline)
@@ -117,11 +98,15 @@ inline Geometry_triangulation triangulate_geometry(const std::string& path, cons
   Segmented_outline segmented;
   std::optional<Unit_frame> frame;
   std::optional<Triangle_size_field> field;
+  const Outline_checker checker(outline, path);
   {
     const Gmsh_session session;
     outline = Outline_loader(path).load(session);
+    checker.check_ends_and_straight_curves();
     frame.emplace(outline);
     unit = frame->to_unit(outline);
+    if (!(covered_region(unit).area() > 0))
+      throw Invalid_input_error(path + ": the curves enclose no area");
     const double size =
         options.triangle_size > 0 ? options.triangle_size / frame->extent() : default_triangle_size(unit);
     result.triangle_size = options.triangle_size > 0 ? options.triangle_size : size * frame->extent();
@@ -139,7 +124,7 @@ inline Geometry_triangulation triangulate_geometry(const std::string& path, cons
     }
     Gmsh_session::call(path, [&] { segmented = segment_outline(outline, unit, *field); });
   }
-  check_no_conflict(outline, segmented, !result.notes.empty(), path);
+  checker.check_segments(segmented, !result.notes.empty());
 
   Segmented_outline unit_segmented = segmented;
   for (Point_2& p : unit_segmented.points)

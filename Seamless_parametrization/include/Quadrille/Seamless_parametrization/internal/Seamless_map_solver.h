@@ -37,6 +37,7 @@ struct Seamless_map_data {
   std::vector<int> flipped_faces;
   std::vector<int> flat_faces;         ///< of the flipped ones: all corners on one line because of the constraints
   std::vector<int> misturned_vertices; ///< only looked for when nothing is flipped
+  int reversed_edges = 0;              ///< constrained halfedges that run backwards
   int flipped_before_untangling = 0;
   int untangling_rounds = 0;
   double integration_residual = 0.0;
@@ -108,7 +109,11 @@ public:
     map.flipped_faces = flipped_faces(map.uv);
     map.flipped_before_untangling = int(map.flipped_faces.size());
     find_flat_faces(space, map);
-    if (options.untangle && map.flipped_faces.size() > map.flat_faces.size())
+    map.reversed_edges = number_of_reversed(aligned_halfedges(map.topology, map.cut), map.uv);
+    if (map.flipped_faces.empty())
+      map.misturned_vertices = misturned_vertices(m_mesh, map.topology, map.uv);
+    if (options.untangle &&
+        (map.flipped_faces.size() > map.flat_faces.size() || map.reversed_edges > 0 || !map.misturned_vertices.empty()))
       untangle_map(combed, options, space, elements, solver, y, map);
     verify(map);
     measure(combed, map);
@@ -117,12 +122,14 @@ public:
   }
 
 private:
-  /// Minimises (36) over the free parameters: area-weighted, exact for piecewise linear coordinates.
-  Eigen::VectorXd integrate(const std::vector<Gradient_pair>& combed, Reduced_elements& elements, Solver& solver) const
+  /// Minimises (36) over the free parameters: weighted by the areas, exact for piecewise linear coordinates; or with
+  /// other weights by face.
+  Eigen::VectorXd integrate(const std::vector<Gradient_pair>& combed, Reduced_elements& elements, Solver& solver,
+                            const std::vector<double>& weights = {}) const
   {
     elements.set_zero();
     for (int f = 0; f < m_mesh.number_of_faces(); ++f) {
-      const double area = m_geometry.area(f);
+      const double area = weights.empty() ? m_geometry.area(f) : weights[std::size_t(f)];
       const Gradient_pair& target = combed[std::size_t(f)];
       Corner_vector load;
       Corner_matrix stiffness = Corner_matrix::Zero();
@@ -176,21 +183,37 @@ private:
       weights.push_back(m_geometry.area(int(f)) * cross(combed[f].first, combed[f].second));
       total += weights.back();
     }
-    for (double& weight : weights)
-      weight /= total;
+    std::vector<double> even_weights; // the same for all triangles that are smaller than the mean
+    for (std::size_t f = 0; f < combed.size(); ++f) {
+      weights[f] /= total;
+      even_weights.push_back(std::max(weights[f], 1.0 / double(weights.size())) /
+                             cross(combed[f].first, combed[f].second));
+    }
     for (const int f : map.flat_faces)
       weights[std::size_t(f)] = 0.0;
-    Untangling_problem problem(m_geometry, combed, std::move(weights), elements, options.threads);
-    const auto is_better = [&](const Eigen::VectorXd& candidate) {
+    // Where sizes differ much, small triangles fold because larger ones outweigh them.
+    const Eigen::VectorXd even_start = integrate(combed, elements, solver, even_weights);
+    const std::vector<Untangling_start> starts{{even_start, 0.1, 4}, {even_start, 1.0, 8}, {y, 0.1, 4}, {y, 1.0, 8}};
+
+    const std::vector<Aligned_halfedge> aligned = aligned_halfedges(map.topology, map.cut);
+    Untangling_problem problem(m_geometry, combed, aligned, std::move(weights), elements, options.threads);
+    const auto count_invalid = [&](const Eigen::VectorXd& candidate) {
       std::vector<Eigen::Vector2d> uv = round_to_exact_map(space, candidate);
       std::vector<int> flipped = flipped_faces(uv);
-      if (flipped.size() <= map.flipped_faces.size()) {
+      const int reversed = number_of_reversed(aligned, uv);
+      std::vector<int> misturned;
+      if (flipped.empty() && reversed == 0)
+        misturned = misturned_vertices(m_mesh, map.topology, uv);
+      const std::size_t n_invalid = flipped.size() + std::size_t(reversed) + misturned.size();
+      if (n_invalid <= map.flipped_faces.size() + std::size_t(map.reversed_edges) + map.misturned_vertices.size()) {
         map.uv = std::move(uv);
         map.flipped_faces = std::move(flipped);
+        map.reversed_edges = reversed;
+        map.misturned_vertices = std::move(misturned);
       }
-      return map.flipped_faces.size() <= map.flat_faces.size();
+      return int(n_invalid) - int(map.flat_faces.size());
     };
-    map.untangling_rounds = untangle(problem, y, options.max_untangling_rounds, solver, is_better);
+    map.untangling_rounds = untangle(problem, y, starts, options.max_untangling_rounds, solver, count_invalid);
   }
 
   void verify(Seamless_map_data& map) const
@@ -200,8 +223,6 @@ private:
     if (map.seam_residual_max != 0.0 || misaligned != 0.0)
       throw No_result_error("map", "rounding left the seams open by " + std::to_string(map.seam_residual_max) +
                                        " and the constrained edges unaligned by " + std::to_string(misaligned));
-    if (map.flipped_faces.empty())
-      map.misturned_vertices = misturned_vertices(m_mesh, map.topology, map.uv);
     map.matching.assign(std::size_t(m_mesh.number_of_halfedges()), 0);
     for (std::size_t p = 0; p < map.cut.paths.size(); ++p)
       for (const int h : map.cut.paths[p].halfedges) {

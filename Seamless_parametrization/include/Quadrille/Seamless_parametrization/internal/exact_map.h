@@ -127,6 +127,35 @@ inline std::vector<int> flipped_faces(const std::vector<Eigen::Vector2d>& uv)
   return faces;
 }
 
+/// A constrained halfedge with the coordinate that should grow or fall along it.
+struct Aligned_halfedge {
+  int halfedge;
+  int coordinate; ///< 0: u, 1: v
+  double sign;    ///< 1: it should grow from source to target, -1: fall
+};
+
+inline std::vector<Aligned_halfedge> aligned_halfedges(const Frame_topology& topology, const Cut_graph& cut)
+{
+  std::vector<Aligned_halfedge> result;
+  for (std::size_t h = 0; h < topology.alignment.size(); ++h)
+    if (topology.alignment[h] >= 0) {
+      const int direction = topology.alignment[h] + cut.face_rotation[h / 3];
+      result.push_back({int(h), direction & 1, (direction & 2) != 0 ? -1.0 : 1.0});
+    }
+  return result;
+}
+
+/// How many of them run backwards, or have no length in uv. Triangles around their ends can be positively oriented
+/// nevertheless, but then turn around them by two quadrants more or less than they should.
+inline int number_of_reversed(const std::vector<Aligned_halfedge>& aligned, const std::vector<Eigen::Vector2d>& uv)
+{
+  return int(std::count_if(aligned.begin(), aligned.end(), [&](const Aligned_halfedge& edge) {
+    const std::size_t source = std::size_t(edge.halfedge);
+    const std::size_t target = std::size_t(Indexed_triangulation::next(edge.halfedge));
+    return !(edge.sign * (uv[target][edge.coordinate] - uv[source][edge.coordinate]) > 0.0);
+  }));
+}
+
 /// The vertices around which the map, without flipped faces, does not turn by as many quadrants as the frames do
 /// (it covers the neighbourhood of such a vertex more than once, or too rarely).
 inline std::vector<int> misturned_vertices(const Indexed_triangulation& mesh, const Frame_topology& topology,

@@ -6,6 +6,7 @@
 
 #include <Quadrille/Seamless_parametrization/internal/Reduced_elements.h>
 #include <Quadrille/Seamless_parametrization/internal/Tangent_geometry.h>
+#include <Quadrille/Seamless_parametrization/internal/exact_map.h>
 #include <Quadrille/minimize_least_squares.h>
 #include <Quadrille/parallel_for.h>
 
@@ -29,14 +30,27 @@ namespace internal {
 /// triangle of weight w contributes w / 2 times
 ///   |J - I|^2 + tau (|J|^2 + 1 + det^2) / chi,   chi = (det + sqrt(eps^2 + det^2)) / 2.
 /// Both terms are least at J = I; the second one forbids det <= 0 as eps goes to 0, and tau is small so that triangles
-/// far from folding stay where (36) puts them.
+/// far from folding stay where (36) puts them. A constrained edge whose length is rho times the wanted one, negative if
+/// it runs backwards, contributes in the same way
+///   tau (rho^2 + 1) / chi(rho).
 class Untangling_problem {
 public:
   /// `targets`: by face, the wanted gradients in combed coordinates. Faces of zero `weight` are ignored.
   Untangling_problem(const Tangent_geometry& geometry, const std::vector<Gradient_pair>& targets,
-                     std::vector<double> weights, Reduced_elements& elements, int threads)
+                     const std::vector<Aligned_halfedge>& aligned, std::vector<double> weights,
+                     Reduced_elements& elements, int threads)
       : m_elements(elements), m_weights(std::move(weights)), m_threads(threads)
   {
+    for (const double weight : m_weights)
+      m_barriers.push_back(weight > 0.0 ? barrier_weight * std::max(weight, 1.0 / double(m_weights.size())) : 0.0);
+    for (const Aligned_halfedge& edge : aligned) {
+      const Gradient_pair& target = targets[std::size_t(edge.halfedge / 3)];
+      const double length =
+          geometry.edge(edge.halfedge).norm() * (edge.coordinate == 0 ? target.first : target.second).norm();
+      if (m_weights[std::size_t(edge.halfedge / 3)] > 0.0)
+        m_edges.push_back({std::size_t(edge.halfedge / 3), 2 * (edge.halfedge % 3) + edge.coordinate,
+                           2 * (Indexed_triangulation::next(edge.halfedge) % 3) + edge.coordinate, edge.sign / length});
+    }
     for (std::size_t f = 0; f < targets.size(); ++f) {
       Eigen::Matrix2d target;
       target << targets[f].first.transpose(), targets[f].second.transpose();
@@ -48,13 +62,15 @@ public:
 
   void set_epsilon(double epsilon) { m_epsilon = epsilon; }
 
-  /// The smallest determinant of a Jacobian.
+  /// The smallest determinant of a Jacobian, or relative length of an edge.
   double smallest_determinant(const Eigen::VectorXd& y) const
   {
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < m_weights.size(); ++f)
       if (m_weights[f] > 0.0)
         smallest = std::min(smallest, jacobian(f, m_elements.corners(f, y)).determinant());
+    for (const Edge& edge : m_edges)
+      smallest = std::min(smallest, edge.relative_length(m_elements.corners(edge.face, y)));
     return smallest;
   }
 
@@ -67,6 +83,8 @@ public:
     double sum = 0.0;
     for (const double energy : energies)
       sum += energy;
+    for (const Edge& edge : m_edges)
+      sum += 0.5 * evaluate(edge, edge.relative_length(m_elements.corners(edge.face, y))).squaredNorm();
     return sum;
   }
 
@@ -83,6 +101,8 @@ public:
       sum += 0.5 * r.squaredNorm();
       m_elements.add(f, dr.transpose() * r, dr.transpose() * dr);
     }
+    for (const Edge& edge : m_edges)
+      sum += linearize(edge, edge.relative_length(m_elements.corners(edge.face, y)));
     return sum;
   }
 
@@ -101,6 +121,32 @@ private:
 
   using Residuals = Eigen::Matrix<double, 10, 1>;
   using Residual_jacobian = Eigen::Matrix<double, 10, 6>;
+
+  struct Edge {
+    std::size_t face;
+    int source, target;    ///< the coordinate at its ends among those of the face's corners
+    double inverse_length; ///< of the wanted one, with a sign
+
+    double relative_length(const Corner_vector& x) const { return inverse_length * (x[target] - x[source]); }
+  };
+
+  Eigen::Vector2d evaluate(const Edge& edge, double length) const
+  {
+    return std::sqrt(m_barriers[edge.face] / chi(m_epsilon, length)) * Eigen::Vector2d(length, 1.0);
+  }
+
+  double linearize(const Edge& edge, double length)
+  {
+    const Eigen::Vector2d r = evaluate(edge, length);
+    Eigen::Vector2d slope = (-0.5 / std::hypot(m_epsilon, length)) * r; // as for the determinants
+    slope[0] += r[1];
+    slope *= edge.inverse_length;
+    Eigen::Matrix<double, 2, 6> dr = Eigen::Matrix<double, 2, 6>::Zero();
+    dr.col(edge.source) = -slope;
+    dr.col(edge.target) = slope;
+    m_elements.add(edge.face, dr.transpose() * r, dr.transpose() * dr);
+    return 0.5 * r.squaredNorm();
+  }
 
   Eigen::Matrix2d jacobian(std::size_t f, const Corner_vector& x) const
   {
@@ -123,7 +169,7 @@ private:
     const double determinant = J.determinant();
     const double value = chi(m_epsilon, determinant);
     const double weight = std::sqrt(m_weights[f]);
-    const double barrier = weight * std::sqrt(barrier_weight / value);
+    const double barrier = std::sqrt(m_barriers[f] / value);
     r << weight * (J(0, 0) - 1.0), weight * J(0, 1), weight * J(1, 0), weight * (J(1, 1) - 1.0), barrier * J(0, 0),
         barrier * J(0, 1), barrier * J(1, 0), barrier * J(1, 1), barrier, barrier * determinant;
     if (!dr)
@@ -148,47 +194,62 @@ private:
   Reduced_elements& m_elements;
   std::vector<Eigen::Vector2d> m_gradients; ///< by corner: of its hat function, in the target's coordinates
   std::vector<double> m_weights;
+  std::vector<double> m_barriers; ///< weights of the second term
+  std::vector<Edge> m_edges;
   int m_threads;
   double m_epsilon = 1.0;
 };
 
-/// Moves y until `is_valid(y)` and then on to a minimum nearby, or until `max_rounds` rounds are over. Returns the
-/// number of rounds.
+/// Where untangling starts from, and how coarsely at first.
+struct Untangling_start {
+  Eigen::VectorXd y;
+  double epsilon;
+  int max_iterations; ///< Levenberg-Marquardt steps of a round
+};
+
+/// Moves y from one of `starts` after the other until `count_invalid(y)` is 0, and then on to a minimum nearby, or
+/// until none is left or `max_rounds` rounds are over. Returns the number of rounds.
 ///
 /// Each round lowers the energy for one eps by a few Levenberg-Marquardt steps; then eps shrinks by the rule of the
-/// paper, which follows the smallest determinant. Half of the rounds start from a small eps, which unfolds what
-/// ordinary fields fold, and nearly always suffices; the others start over from a large one.
-template <class Solver, class Is_valid>
-int untangle(Untangling_problem& problem, Eigen::VectorXd& y, int max_rounds, Solver& solver, const Is_valid& is_valid)
+/// paper, which follows the smallest determinant. A start is given up when the count has not fallen for a while.
+template <class Solver, class Count_invalid>
+int untangle(Untangling_problem& problem, Eigen::VectorXd& y, const std::vector<Untangling_start>& starts,
+             int max_rounds, Solver& solver, const Count_invalid& count_invalid)
 {
-  constexpr double small_epsilon = 0.1;
-  constexpr double large_epsilon = 1.0;
   constexpr double last_epsilon = 1e-10;
+  constexpr int patience = 12;
   Levenberg_marquardt_options options;
-  options.max_iterations = 4;
   options.relative_decrease = 1e-2;
-  const Eigen::VectorXd start = y;
-  double epsilon = small_epsilon;
-  for (int round = 1; round <= max_rounds; ++round) {
-    if (round == max_rounds / 2 + 1) {
-      y = start;
-      epsilon = large_epsilon;
-      options.max_iterations *= 2;
+  int round = 0;
+  for (const Untangling_start& start : starts) {
+    y = start.y;
+    double epsilon = start.epsilon;
+    options.max_iterations = start.max_iterations;
+    int least = std::numeric_limits<int>::max();
+    for (int last_success = round; round < max_rounds && round < last_success + patience;) {
+      ++round;
+      problem.set_epsilon(epsilon);
+      const Minimization_report report = minimize_levenberg_marquardt(problem, y, options, &solver);
+      const int n_invalid = count_invalid(y);
+      if (n_invalid == 0) {
+        problem.set_epsilon(last_epsilon);
+        minimize_levenberg_marquardt(problem, y, options, &solver);
+        count_invalid(y);
+        return round;
+      }
+      const double smallest = problem.smallest_determinant(y);
+      if (n_invalid < least) {
+        least = n_invalid;
+        last_success = round;
+      } else if (smallest > 0.0) { // nothing is folded, but something turns too often: no way from here
+        break;
+      }
+      const double gain = report.initial_energy > 0.0 ? 1.0 - report.energy / report.initial_energy : 0.0;
+      const double level = (1.0 - std::max(0.1, gain)) * Untangling_problem::chi(epsilon, smallest);
+      epsilon = smallest < level ? 2.0 * std::sqrt(level * (level - smallest)) : last_epsilon;
     }
-    problem.set_epsilon(epsilon);
-    const Minimization_report report = minimize_levenberg_marquardt(problem, y, options, &solver);
-    if (is_valid(y)) {
-      problem.set_epsilon(last_epsilon);
-      minimize_levenberg_marquardt(problem, y, options, &solver);
-      is_valid(y);
-      return round;
-    }
-    const double smallest = problem.smallest_determinant(y);
-    const double gain = report.initial_energy > 0.0 ? 1.0 - report.energy / report.initial_energy : 0.0;
-    const double level = (1.0 - std::max(0.1, gain)) * Untangling_problem::chi(epsilon, smallest);
-    epsilon = smallest < level ? 2.0 * std::sqrt(level * (level - smallest)) : last_epsilon;
   }
-  return max_rounds;
+  return round;
 }
 
 } // namespace internal

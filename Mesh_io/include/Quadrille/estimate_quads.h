@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_ESTIMATE_QUADS_H
+#define QUADRILLE_ESTIMATE_QUADS_H
+
+#include <Quadrille/Planar_domain.h>
+#include <Quadrille/Size_specification.h>
+
+namespace Quadrille {
+
+/// About how many quads the sizes ask for, before anything is computed: every triangle counts with the sizes of the
+/// curve point that is nearest along edges. Off by a factor of about two at most, where sizes differ much.
+///
+/// \return 0 if no sizes are prescribed. Complexity: O(n log n).
+double estimate_number_of_quads(const Planar_domain& domain, const Domain_sizes& sizes);
+
+} // namespace Quadrille
+
+#include <Quadrille/Mesh_io/internal/estimate_quads_impl.h>
+
+#endif
