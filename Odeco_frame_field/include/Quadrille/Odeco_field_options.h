@@ -15,7 +15,8 @@ namespace Quadrille {
 /// The minimiser of the field's energies.
 enum class Field_solver_kind {
   levenberg_marquardt, ///< with melting and freezing
-  lbfgs                ///< the papers' plain L-BFGS (ALGLIB), first on E_smooth, then on E_integ; for comparisons
+  lbfgs,               ///< planar-2's own: L-BFGS (ALGLIB), first on E_smooth, then on E_integ; for comparisons
+  lbfgs_kappa          ///< planar-1's own: L-BFGS (ALGLIB) on E_kappa, kappa from 1 to 0; for comparisons
 };
 
 /// How melting and freezing places singularities. Epsilons are in units of the local triangle size.

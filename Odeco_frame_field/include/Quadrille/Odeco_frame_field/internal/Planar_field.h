@@ -130,15 +130,18 @@ public:
     m_schedule.melt_epsilon *= std::max(1.0, std::sqrt(mesh.number_of_faces() / 2500.0));
   }
 
+  const Field_elements<N>& elements() const { return m_elements; }
+
   Odeco_field_result solve(Gradients& gradients)
   {
     const Stopwatch stopwatch;
-    const int n_melted = m_options.solver == Field_solver_kind::lbfgs ? 0 : m_options.starts;
+    const int n_melted = m_options.solver == Field_solver_kind::levenberg_marquardt ? m_options.starts : 0;
     m_result.starts.resize(2 + std::size_t(n_melted));
     m_fields.resize(m_result.starts.size());
-    compute_smooth_and_relaxed_starts();
+    Field_solver<N> solver(m_elements, m_schedule, m_options.threads, m_options.observer, m_options.solver);
+    compute_smooth_and_relaxed_starts(solver);
     parallel_for(
-        std::size_t(n_melted), m_options.threads, [&](std::size_t i) { compute_melted_start(i); }, 1);
+        std::size_t(n_melted), m_options.threads, [&](std::size_t i) { compute_melted_start(i, solver); }, 1);
     choose_start();
 
     const Field_start& chosen = m_result.starts[std::size_t(m_result.chosen)];
@@ -216,10 +219,8 @@ private:
     return weights;
   }
 
-  void compute_smooth_and_relaxed_starts()
+  void compute_smooth_and_relaxed_starts(Field_solver<N>& solver)
   {
-    Field_solver<N> solver(m_elements, m_schedule, m_options.threads, m_options.observer, m_options.solver,
-                           m_options.target_size_weight);
     const Stopwatch smooth_watch;
     m_fields[0] = solver.smooth_field(1);
     Field_start start;
@@ -234,11 +235,10 @@ private:
     finish_start(1, start, solver, relaxed_watch);
   }
 
-  void compute_melted_start(std::size_t i)
+  void compute_melted_start(std::size_t i, const Field_solver<N>& other)
   {
     const Stopwatch watch;
-    Field_solver<N> solver(m_elements, m_schedule, 1, m_options.observer, m_options.solver,
-                           m_options.target_size_weight);
+    Field_solver<N> solver(other, 1);
     Field_start start;
     start.kind = Field_start::Kind::melted;
     start.seed = m_options.seed + i;
