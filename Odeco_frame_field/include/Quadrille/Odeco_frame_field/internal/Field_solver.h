@@ -11,6 +11,8 @@
 #include <Quadrille/minimize_lbfgs.h>
 #include <Quadrille/minimize_least_squares.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -27,6 +29,14 @@ public:
 private:
   std::mt19937_64 m_engine;
 };
+
+/// The schedule for a field of `n_triangles`: a singularity has to be soft over the same part of the domain however
+/// fine the triangles are.
+inline Melt_and_freeze_schedule melt_and_freeze_schedule_for(Melt_and_freeze_schedule schedule, std::size_t n_triangles)
+{
+  schedule.melt_epsilon *= std::max(1.0, std::sqrt(double(n_triangles) / 2500));
+  return schedule;
+}
 
 /// Minimises the energies of one field; every method starts from, and returns, a vector of unknowns.
 template <int N> class Field_solver {
@@ -114,6 +124,21 @@ public:
     options.relative_decrease = 1e-3;
     for (double epsilon = m_schedule.melt_epsilon / m_schedule.freeze_ratio; epsilon > m_schedule.final_epsilon;
          epsilon /= m_schedule.freeze_ratio) {
+      m_integrability.set_relative_epsilon(epsilon);
+      minimize(m_integrable_problem, x, options);
+    }
+    integrate(x);
+  }
+
+  /// From a field that is frozen where triangles are `ratio` times larger to a local minimum of E_integ at the final
+  /// epsilon here.
+  void sharpen(Eigen::VectorXd& x, double ratio)
+  {
+    m_integrability.set_size_attraction(0);
+    Levenberg_marquardt_options options;
+    options.max_iterations = m_schedule.sharpen_steps;
+    options.relative_decrease = 1e-2;
+    for (double epsilon = ratio * m_schedule.final_epsilon; epsilon > m_schedule.final_epsilon; epsilon /= 2) {
       m_integrability.set_relative_epsilon(epsilon);
       minimize(m_integrable_problem, x, options);
     }
