@@ -23,7 +23,7 @@ enum class Field_solver_kind {
 struct Melt_and_freeze_schedule {
   double smooth_epsilon = 2; ///< of the smooth start
   /// Triangulations with at least twice as many are coarsened to about so many triangles, and melted and frozen there.
-  int coarse_triangles = 2500;
+  int coarse_triangles = 5000;
   double melt_epsilon = 20;   ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
   double size_attraction = 1; ///< weight of the mean squared log(size / expected), while melted
   /// Anisotropic fields, always: weight of half the integral of |grad log(sqrt(size_u size_v) / expected)|^2. Without
