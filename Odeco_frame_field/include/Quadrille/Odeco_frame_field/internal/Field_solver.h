@@ -49,8 +49,7 @@ public:
                const Progress_observer* observer, Field_solver_kind kind, double target_attraction = 0)
       : m_elements(elements), m_schedule(schedule), m_observer(observer), m_kind(kind),
         m_smoothness(elements, schedule.smooth_epsilon), m_integrability(elements, schedule.final_epsilon),
-        m_integrable_problem(m_integrability, elements.number_of_unknowns(), threads),
-        m_smooth_problem(m_smoothness, m_integrable_problem, threads)
+        m_integrable_problem(m_integrability, elements.number_of_unknowns(), threads)
   {
 #ifndef QUADRILLE_WITH_ALGLIB
     if (kind != Field_solver_kind::levenberg_marquardt)
@@ -63,12 +62,12 @@ public:
       m_solver.analyze(m_integrable_problem.gauss_newton_matrix());
   }
 
-  /// Another solver for the same field, to be used on another thread. The pattern and its analysis are shared.
+  /// Another solver for the same field, to be used on another thread. The pattern and its analysis are shared, the
+  /// factor, which takes most of the memory, is not.
   Field_solver(const Field_solver& other, int threads)
       : m_elements(other.m_elements), m_schedule(other.m_schedule), m_observer(other.m_observer), m_kind(other.m_kind),
         m_smoothness(other.m_smoothness), m_integrability(other.m_integrability),
-        m_integrable_problem(m_integrability, other.m_integrable_problem, threads),
-        m_smooth_problem(m_smoothness, m_integrable_problem, threads), m_solver(other.m_solver)
+        m_integrable_problem(m_integrability, other.m_integrable_problem, threads), m_solver(other.m_solver)
   {
   }
 
@@ -76,14 +75,16 @@ public:
   /// sets the scale where the constraints leave it open.
   Eigen::VectorXd smooth_field(double typical_size)
   {
-    Eigen::VectorXd x = harmonic_field(typical_size);
+    // Most solvers never need it, and its matrix takes memory.
+    Element_least_squares<Smoothness> problem(m_smoothness, m_integrable_problem, m_integrable_problem.threads());
+    Eigen::VectorXd x = harmonic_field(problem, typical_size);
     if (m_kind == Field_solver_kind::lbfgs_kappa) {
       minimize_kappa(x, {1});
       return x;
     }
     Levenberg_marquardt_options options;
     options.relative_decrease = 1e-6;
-    minimize(m_smooth_problem, x, options);
+    minimize(problem, x, options);
     return x;
   }
 
@@ -222,7 +223,7 @@ private:
     }
   }
 
-  Eigen::VectorXd harmonic_field(double typical_size)
+  Eigen::VectorXd harmonic_field(Element_least_squares<Smoothness>& problem, double typical_size)
   {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(m_elements.number_of_unknowns()));
     // E_odeco needs a positive area, so the Dirichlet energy alone gives the start. It is quadratic: with a huge
@@ -237,7 +238,7 @@ private:
     options.max_iterations = 10;
     options.initial_damping = 1e-6;
     options.relative_decrease = 1e-4;
-    minimize(m_smooth_problem, x, options);
+    minimize(problem, x, options);
     m_smoothness.set_relative_epsilon(m_schedule.smooth_epsilon);
     return x;
   }
@@ -271,7 +272,6 @@ private:
   Smoothness m_smoothness;
   Integrability m_integrability;
   Element_least_squares<Integrability> m_integrable_problem;
-  Element_least_squares<Smoothness> m_smooth_problem;
   Cholesky_solver m_solver;
   int m_iterations = 0;
 };

@@ -109,14 +109,21 @@ public:
     const int n_melted = m_options.solver == Field_solver_kind::levenberg_marquardt ? m_options.starts : 0;
     m_result.starts.resize(2 + std::size_t(n_melted));
     m_fields.resize(m_result.starts.size());
-    Field_solver<N> solver(m_elements,
-                           melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
-                           m_options.threads, m_options.observer, m_options.solver);
-    compute_smooth_and_relaxed_starts(solver);
+    // Only its copies factorise, so that no factor is kept longer than it is used.
+    const Field_solver<N> analyzed(m_elements,
+                                   melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
+                                   m_options.threads, m_options.observer, m_options.solver);
+    compute_smooth_and_relaxed_starts(analyzed);
     if (n_melted > 0) {
       const Field_hierarchy<N> hierarchy(m_mesh, m_elements, m_options.schedule, m_options.threads, m_options.observer);
+      // A factor of 400,000 triangles takes about a gigabyte, so beyond that starts take turns and share the threads.
+      const int at_once = int(std::clamp<std::size_t>(400000 / m_elements.number_of_elements(), 1, 1000));
+      const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
       parallel_for(
-          std::size_t(n_melted), m_options.threads, [&](std::size_t i) { compute_melted_start(i, solver, hierarchy); },
+          std::size_t(n_melted), start_threads,
+          [&](std::size_t i) {
+            compute_melted_start(i, analyzed, start_threads > 1 ? 1 : m_options.threads, hierarchy);
+          },
           1);
     }
     choose_start();
@@ -202,8 +209,9 @@ private:
     return weights;
   }
 
-  void compute_smooth_and_relaxed_starts(Field_solver<N>& solver)
+  void compute_smooth_and_relaxed_starts(const Field_solver<N>& analyzed)
   {
+    Field_solver<N> solver(analyzed, m_options.threads);
     const Stopwatch smooth_watch;
     m_fields[0] = solver.smooth_field(1);
     Field_start start;
@@ -218,10 +226,11 @@ private:
     finish_start(1, start, solver, relaxed_watch);
   }
 
-  void compute_melted_start(std::size_t i, const Field_solver<N>& other, const Field_hierarchy<N>& hierarchy)
+  void compute_melted_start(std::size_t i, const Field_solver<N>& analyzed, int threads,
+                            const Field_hierarchy<N>& hierarchy)
   {
     const Stopwatch watch;
-    Field_solver<N> solver(other, 1);
+    Field_solver<N> solver(analyzed, threads);
     Field_start start;
     start.kind = Field_start::Kind::melted;
     start.seed = m_options.seed + i;
