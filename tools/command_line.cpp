@@ -9,6 +9,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace Quadrille {
@@ -62,8 +63,9 @@ po::options_description quad_options()
                         "refuse sizes that ask for more quads (default 1000000)");
   options.add_options()("isotropic", "square elements (the default)");
   options.add_options()("anisotropic", "rectangular elements: sizes across and along curves may differ");
-  options.add_options()("solver", po::value<Strings>()->value_name("lm|lbfgs"),
-                        "Levenberg-Marquardt with melting and freezing (default), or plain L-BFGS");
+  options.add_options()(
+      "solver", po::value<Strings>()->value_name("lm|lbfgs|lbfgs-kappa"),
+      "Levenberg-Marquardt with melting and freezing (default), or the papers' L-BFGS, for comparisons");
   options.add_options()("starts", po::value<Strings>()->value_name("N"), "number of starts of the field (default 8)");
   options.add_options()("seed", po::value<Strings>()->value_name("K"), "seed of the starts (default 1)");
   options.add_options()("threads", po::value<Strings>()->value_name("T"), "threads (default 0: all cores)");
@@ -177,10 +179,13 @@ Quad_arguments quad_arguments(const Parsed_options& options)
     throw Invalid_argument_error("option --triangle-size: the size must be positive");
   result.max_quads = options.number<std::size_t>("max-quads", result.max_quads, 1);
   const std::string solver = options.one("solver", "lm");
-  if (solver != "lm" && solver != "lbfgs")
-    throw Invalid_argument_error("option --solver: '" + solver + "' is neither lm nor lbfgs");
-  if (solver == "lbfgs")
-    result.solver = Field_solver_kind::lbfgs;
+  const std::map<std::string, Field_solver_kind> solvers = {{"lm", Field_solver_kind::levenberg_marquardt},
+                                                            {"lbfgs", Field_solver_kind::lbfgs},
+                                                            {"lbfgs-kappa", Field_solver_kind::lbfgs_kappa}};
+  const auto known_solver = solvers.find(solver);
+  if (known_solver == solvers.end())
+    throw Invalid_argument_error("option --solver: '" + solver + "' is none of lm, lbfgs, lbfgs-kappa");
+  result.solver = known_solver->second;
   result.anisotropic = options.has("anisotropic");
   if (result.anisotropic && options.has("isotropic"))
     throw Invalid_argument_error("options --isotropic and --anisotropic exclude each other");

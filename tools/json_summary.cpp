@@ -31,7 +31,17 @@ const char* name_of(Field_start::Kind kind)
   }
 }
 
-const char* name_of(Field_solver_kind solver) { return solver == Field_solver_kind::lbfgs ? "lbfgs" : "lm"; }
+const char* name_of(Field_solver_kind solver)
+{
+  switch (solver) {
+  case Field_solver_kind::lbfgs:
+    return "lbfgs";
+  case Field_solver_kind::lbfgs_kappa:
+    return "lbfgs-kappa";
+  default:
+    return "lm";
+  }
+}
 
 int count_boundary_loops(const Planar_domain::Mesh& mesh)
 {

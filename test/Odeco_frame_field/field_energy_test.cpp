@@ -34,7 +34,8 @@ Eigen::VectorXd sample(const Field_elements<N>& elements, const Triangles& trian
   return x;
 }
 
-template <int N, Field_energy_kind kind> void expect_right_jacobians()
+/// Jacobians on two triangles against finite differences. `make_energy(elements)` gives the term.
+template <int N, class Make_energy> void expect_right_jacobians(const Make_energy& make_energy)
 {
   Triangles triangles = square(1, 1);
   triangles.points[0] += Eigen::Vector2d(0.1, -0.2);
@@ -50,12 +51,10 @@ template <int N, Field_energy_kind kind> void expect_right_jacobians()
   }
   const Field_elements<N> elements(triangles.indexed(), triangles.points, {0.7, 0.9}, restrictions,
                                    {0.1, -0.2, 0.3, 0});
-  Field_energy<N, kind> energy(elements, 1.5);
-  energy.set_size_attraction(0.8);
-  energy.set_grading_attraction(0.4);
+  const auto energy = make_energy(elements);
   for (std::size_t e = 0; e < 2; ++e)
     for (int repeat = 0; repeat < 10; ++repeat) {
-      typename Field_energy<N, kind>::Unknowns x;
+      Eigen::Matrix<double, 3 * N, 1> x;
       std::array<int, std::size_t(3 * N)> index;
       const int count = energy.element_unknowns(e, index);
       x.setZero();
@@ -65,12 +64,68 @@ template <int N, Field_energy_kind kind> void expect_right_jacobians()
     }
 }
 
+template <int N, Field_energy_kind kind> Field_energy<N, kind> attracted_energy(const Field_elements<N>& elements)
+{
+  Field_energy<N, kind> energy(elements, 1.5);
+  energy.set_size_attraction(0.8);
+  energy.set_grading_attraction(0.4);
+  return energy;
+}
+
 TEST(Field_energy, jacobians_agree_with_finite_differences)
 {
-  expect_right_jacobians<3, Field_energy_kind::smoothness>();
-  expect_right_jacobians<3, Field_energy_kind::integrability>();
-  expect_right_jacobians<5, Field_energy_kind::smoothness>();
-  expect_right_jacobians<5, Field_energy_kind::integrability>();
+  expect_right_jacobians<3>(attracted_energy<3, Field_energy_kind::smoothness>);
+  expect_right_jacobians<3>(attracted_energy<3, Field_energy_kind::integrability>);
+  expect_right_jacobians<5>(attracted_energy<5, Field_energy_kind::smoothness>);
+  expect_right_jacobians<5>(attracted_energy<5, Field_energy_kind::integrability>);
+}
+
+TEST(Kappa_energy, jacobians_agree_with_finite_differences)
+{
+  for (const double kappa : {1.0, 0.1, 0.0}) {
+    expect_right_jacobians<3>([&](const auto& elements) { return Kappa_energy<3>(elements, 1.5, kappa); });
+    expect_right_jacobians<5>([&](const auto& elements) { return Kappa_energy<5>(elements, 1.5, kappa); });
+  }
+}
+
+template <class Term> double total_energy(const Term& term, const Eigen::VectorXd& x)
+{
+  return Element_least_squares<Term>(term, std::size_t(x.size())).energy(x);
+}
+
+TEST(Kappa_energy, is_the_weighted_sum_of_its_three_terms)
+{
+  const Triangles triangles = square(6, 1);
+  const auto elements = free_elements<5>(triangles);
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<double> uniform(-0.1, 0.1);
+  Eigen::VectorXd x = sample<5>(elements, triangles, [](const Eigen::Vector2d&) { return Orthogonal_frame_2(); });
+  for (double& value : x)
+    value += uniform(engine);
+
+  // Its parts from the definitions: quadrature over the triangles, the Lie bracket as in planar-2's energy.
+  double odeco = 0, dirichlet = 0;
+  for (std::size_t e = 0; e < elements.number_of_elements(); ++e) {
+    const auto& element = elements.element(e);
+    Eigen::Matrix<double, 5, 3> q;
+    for (int k = 0; k < 3; ++k)
+      q.col(k) = elements.coefficients(std::size_t(element.vertex[std::size_t(k)]), x);
+    dirichlet += 0.5 * element.area * (q * element.gradient.transpose()).squaredNorm();
+    for (int p = 0; p < 3; ++p) {
+      Eigen::Vector3d weights = Eigen::Vector3d::Constant(1. / 6);
+      weights[p] = 2. / 3;
+      odeco += element.area / 3 * odeco_residuals(q * weights).squaredNorm();
+    }
+  }
+  const double lie = Field_solver<5>(elements, {}, 1, nullptr, Field_solver_kind::levenberg_marquardt).energy_parts(x).lie;
+  const double epsilon = 0.7;
+  for (const double kappa : {1.0, 0.3, 0.0}) {
+    const double expected = (1 - kappa) * lie + kappa * dirichlet + odeco / (epsilon * epsilon);
+    EXPECT_NEAR(total_energy(Kappa_energy<5>(elements, epsilon, kappa), x), expected, 1e-12 * expected);
+  }
+  // Tensors of zero, from where the paper starts, belong to its domain while kappa is 1.
+  EXPECT_EQ(total_energy(Kappa_energy<5>(elements, epsilon, 1), Eigen::VectorXd::Zero(x.size())), 0);
+  EXPECT_TRUE(std::isinf(total_energy(Kappa_energy<5>(elements, epsilon, 0.1), Eigen::VectorXd::Zero(x.size()))));
 }
 
 TEST(Field_energy, lie_residual_is_the_lie_bracket_of_the_frame)

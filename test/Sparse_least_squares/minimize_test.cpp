@@ -159,6 +159,45 @@ TEST(Levenberg_marquardt, stays_inside_the_domain)
   EXPECT_EQ(minimize_levenberg_marquardt(problem, x).status, Minimization_status::outside_domain);
 }
 
+TEST(Levenberg_marquardt, reuses_factors_and_records_what_it_does)
+{
+  const Rosenbrock_chain chain{200};
+  Element_least_squares<Rosenbrock_chain> problem(chain, 200);
+  Minimization_report reports[2];
+  for (const int max_reuses : {0, 10}) {
+    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(200, 0.5, 1.5);
+    Levenberg_marquardt_options options;
+    options.max_iterations = 1000;
+    options.max_reuses = max_reuses;
+    options.record_history = true;
+    Minimization_report& report = reports[max_reuses > 0];
+    report = minimize_levenberg_marquardt(problem, x, options);
+    EXPECT_LT(report.energy, 1e-12);
+    ASSERT_EQ(report.history.size(), std::size_t(1 + report.iterations + report.reuses));
+    EXPECT_EQ(report.history.front().energy, report.initial_energy);
+    EXPECT_EQ(report.history.back().energy, report.energy);
+    for (std::size_t i = 1; i < report.history.size(); ++i) {
+      EXPECT_LT(report.history[i].energy, report.history[i - 1].energy);
+      EXPECT_GE(report.history[i].seconds, report.history[i - 1].seconds);
+    }
+  }
+  EXPECT_EQ(reports[0].reuses, 0);
+  EXPECT_GT(reports[1].reuses, 0);
+  EXPECT_LT(reports[1].factorizations, reports[0].factorizations);
+}
+
+TEST(Element_least_squares, shares_the_pattern_of_another_problem)
+{
+  const Rosenbrock_chain chain{30}, other_chain{30, 0.5};
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(30, -1, 2);
+  Element_least_squares<Rosenbrock_chain> own(chain, 30), other(other_chain, 30), sharing(chain, other);
+  other.linearize(x);
+  EXPECT_EQ(sharing.linearize(x), own.linearize(x));
+  EXPECT_EQ(sharing.gradient(), own.gradient());
+  EXPECT_EQ(Eigen::MatrixXd(sharing.gauss_newton_matrix()), Eigen::MatrixXd(own.gauss_newton_matrix()));
+  EXPECT_NE(sharing.gradient(), other.gradient());
+}
+
 TEST(Element_least_squares, does_not_depend_on_the_number_of_threads)
 {
   const Rosenbrock_chain chain{20000};

@@ -15,12 +15,15 @@ namespace Quadrille {
 /// The minimiser of the field's energies.
 enum class Field_solver_kind {
   levenberg_marquardt, ///< with melting and freezing
-  lbfgs                ///< the papers' plain L-BFGS (ALGLIB), first on E_smooth, then on E_integ; for comparisons
+  lbfgs,               ///< planar-2's own: L-BFGS (ALGLIB), first on E_smooth, then on E_integ; for comparisons
+  lbfgs_kappa          ///< planar-1's own: L-BFGS (ALGLIB) on E_kappa, kappa from 1 to 0; for comparisons
 };
 
 /// How melting and freezing places singularities. Epsilons are in units of the local triangle size.
 struct Melt_and_freeze_schedule {
-  double smooth_epsilon = 2;  ///< of the smooth start
+  double smooth_epsilon = 2; ///< of the smooth start
+  /// Triangulations with at least twice as many are coarsened to about so many triangles, and melted and frozen there.
+  int coarse_triangles = 5000;
   double melt_epsilon = 20;   ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
   double size_attraction = 1; ///< weight of the mean squared log(size / expected), while melted
   /// Anisotropic fields, always: weight of half the integral of |grad log(sqrt(size_u size_v) / expected)|^2. Without
@@ -32,6 +35,7 @@ struct Melt_and_freeze_schedule {
   double freeze_ratio = 1.5; ///< between consecutive epsilons
   int freeze_steps = 5;      ///< Levenberg-Marquardt steps per epsilon
   double final_epsilon = 2;  ///< small: singularities are sharp, and cannot move any more
+  int sharpen_steps = 3;     ///< Levenberg-Marquardt steps per halved epsilon, from coarse triangles to finer ones
   int final_steps = 40;      ///< at most
 };
 

@@ -4,11 +4,13 @@
 #ifndef QUADRILLE_ELEMENT_LEAST_SQUARES_H
 #define QUADRILLE_ELEMENT_LEAST_SQUARES_H
 
+#include <Quadrille/Sparse_least_squares/internal/Element_pattern.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace Quadrille {
@@ -17,9 +19,10 @@ namespace Quadrille {
 ///
 /// `Term` is a model of the concept `LeastSquaresTerm` (doc/Sparse_least_squares/Concepts). The sparsity pattern and
 /// the place of every element entry in it are computed once; linearisations then write straight into the matrix values.
+/// Problems whose elements have the same unknowns can share them.
 /// Elements are evaluated in parallel and added in their own order, so results do not depend on the number of threads.
 /// One object serves one caller at a time (it holds scratch space, also in its const functions).
-/// Complexity: construction O(n log n), every evaluation linear in the number of elements.
+/// Complexity: construction and every evaluation linear in the number of elements.
 template <class Term> class Element_least_squares {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -28,7 +31,11 @@ public:
   /// \pre `term` outlives this object, and its elements keep their unknowns. `threads` = 0 uses all cores.
   Element_least_squares(const Term& term, std::size_t n_unknowns, int threads = 1);
 
-  std::size_t number_of_unknowns() const { return m_n; }
+  /// Shares the pattern of `other`, whose elements have the same unknowns.
+  template <class Other_term>
+  Element_least_squares(const Term& term, const Element_least_squares<Other_term>& other, int threads = 1);
+
+  std::size_t number_of_unknowns() const { return m_pattern->number_of_unknowns(); }
   int threads() const { return m_threads; }
   const Term& term() const { return m_term; }
 
@@ -47,9 +54,11 @@ public:
   const Matrix& gauss_newton_matrix() const { return m_matrix; }
 
 private:
+  template <class> friend class Element_least_squares;
+
   static constexpr int K = Term::max_unknowns;
   static constexpr int R = Term::max_residuals;
-  using Indices = std::array<int, std::size_t(K)>;
+  using Pattern = internal::Element_pattern<K>;
   using Unknowns = Eigen::Matrix<double, K, 1>;
   using Residuals = Eigen::Matrix<double, R, 1>;
   using Jacobian = Eigen::Matrix<double, R, K>;
@@ -65,15 +74,10 @@ private:
 
   void evaluate(std::size_t e, const Vector& x, Detail detail, Contribution& result) const;
   template <class Add> double accumulate(const Vector& x, Detail detail, const Add& add) const;
-  void build_pattern();
 
   const Term& m_term;
-  std::size_t m_n;
+  std::shared_ptr<const Pattern> m_pattern;
   int m_threads;
-  std::vector<Indices> m_indices;   // of every element
-  std::vector<int> m_counts;        // how many of them are used
-  std::vector<std::size_t> m_first; // of every element, its first entry in m_places
-  std::vector<int> m_places;        // positions in the matrix values, entry (i, j) of the lower triangle by rows
   mutable std::vector<Contribution, Eigen::aligned_allocator<Contribution>> m_buffer;
   Matrix m_matrix;
   Vector m_gradient;

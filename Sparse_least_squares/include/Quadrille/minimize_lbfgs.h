@@ -19,6 +19,7 @@ struct Lbfgs_options {
   int memory = 5; ///< pairs kept
   int max_iterations = 100000;
   double relative_decrease = 1e-6; ///< stop when one iteration lowers the energy by less than this fraction of it
+  bool record_history = false;
   const Progress_observer* observer = nullptr;
   const char* stage = "";
 };
@@ -42,17 +43,26 @@ Minimization_report minimize_lbfgs(const Problem& problem, Eigen::VectorXd& x, c
   struct Context {
     const Problem* problem;
     Minimization_report* report;
+    const internal::Stopwatch* stopwatch;
     const Lbfgs_options* options;
     double barrier;
+    double lowest;
     Eigen::VectorXd x, gradient;
   };
   // ALGLIB stops on infinite values, so points outside the domain get a value that its line search will reject.
-  Context context{&problem, &report, &options, 1e10 * std::max(report.energy, 1e-290), x, gradient};
+  Context context{&problem,      &report, &stopwatch, &options, 1e10 * std::max(report.energy, 1e-290),
+                  report.energy, x,       gradient};
+  if (options.record_history)
+    report.history.push_back({stopwatch.seconds(), report.energy});
   const auto evaluate = [](const alglib::real_1d_array& at, double& value, alglib::real_1d_array& slope, void* data) {
     Context& c = *static_cast<Context*>(data);
     std::copy(at.getcontent(), at.getcontent() + c.x.size(), c.x.data());
     value = c.problem->energy_and_gradient(c.x, c.gradient);
     ++c.report->evaluations;
+    if (c.options->record_history && value < c.lowest) {
+      c.lowest = value;
+      c.report->history.push_back({c.stopwatch->seconds(), value});
+    }
     if (!std::isfinite(value)) {
       value = c.barrier;
       c.gradient.setZero();

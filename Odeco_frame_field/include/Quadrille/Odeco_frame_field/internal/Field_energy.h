@@ -4,7 +4,7 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ENERGY_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ENERGY_H
 
-#include <Quadrille/Odeco_frame_field/internal/Field_elements.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_residuals.h>
 
 #include <cmath>
 
@@ -20,18 +20,17 @@ enum class Field_energy_kind {
 ///
 /// Half the squared norm of the residuals is the energy.
 template <int N, Field_energy_kind kind> class Field_energy {
-  using Traits = Tensor_coefficients<N>;
-  static constexpr int odeco = Traits::odeco_equations;
+  using Pieces = Field_residuals<N>;
   static constexpr bool integrable = kind == Field_energy_kind::integrability;
-  static constexpr int points = 3;
+  static constexpr int points = Pieces::points;
 
 public:
   static constexpr int max_unknowns = 3 * N;
-  static constexpr int first_odeco_row = integrable ? 2 * points : 2 * N;
-  static constexpr int first_size_row = first_odeco_row + odeco * points;
+  static constexpr int first_odeco_row = integrable ? Pieces::lie_rows : Pieces::dirichlet_rows;
+  static constexpr int first_size_row = first_odeco_row + Pieces::odeco_rows;
   static constexpr int first_grading_row = first_size_row + (integrable ? points : 0);
   static constexpr int max_residuals = first_grading_row + (integrable && N == 5 ? 2 : 0);
-  using Coefficients = typename Traits::Vector;
+  using Coefficients = typename Pieces::Coefficients;
   using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
   using Residuals = Eigen::Matrix<double, max_residuals, 1>;
   using Jacobian = Eigen::Matrix<double, max_residuals, max_unknowns>;
@@ -64,110 +63,30 @@ public:
   {
     const auto& element = m_elements->element(e);
     const std::array<Coefficients, 3> q = m_elements->corner_coefficients(e, x);
-    Jacobian by_coefficients;
+    Jacobian derivatives;
+    Jacobian* by_coefficients = J ? &derivatives : nullptr;
     bool inside = true;
     if constexpr (integrable)
-      inside = add_integrability(element, q, r, J ? &by_coefficients : nullptr);
+      inside = Pieces::template lie<0>(element, q, 1, r, by_coefficients);
     else
-      add_dirichlet(element, q, r, J ? &by_coefficients : nullptr);
-    inside = inside && add_odeco(element, q, r, J ? &by_coefficients : nullptr);
+      Pieces::template dirichlet<0>(element, q, 1, r, by_coefficients);
+    const double epsilon = m_relative_epsilon * element.size;
+    inside = inside && Pieces::template normalized_odeco<first_odeco_row>(element, q, epsilon, r, by_coefficients);
     if constexpr (integrable)
       if (inside) {
-        add_size_attraction(element, q, r, J ? &by_coefficients : nullptr);
+        add_size_attraction(element, q, r, by_coefficients);
         if constexpr (N == 5)
-          add_grading_attraction(element, q, r, J ? &by_coefficients : nullptr);
+          add_grading_attraction(element, q, r, by_coefficients);
       }
     if (inside && J)
-      m_elements->restrict_jacobian(e, by_coefficients, *J);
+      m_elements->restrict_jacobian(e, derivatives, *J);
     return inside;
   }
 
 private:
-  using Element = typename Field_elements<N>::Element;
-  using Corners = std::array<Coefficients, 3>;
-
-  static double weight(int point, int corner) { return point == corner ? 2. / 3 : 1. / 6; }
-  static Coefficients interpolate(const Corners& q, int point)
-  {
-    return (q[0] + q[1] + q[2]) / 6 + 0.5 * q[std::size_t(point)];
-  }
-  // The area's square is positive on both sides of its zero, so the sign of q0 has to be watched too.
-  static bool is_positive(const Coefficients& q, double area) { return area > 0 && q[0] > 0; }
-
-  void add_dirichlet(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
-  {
-    const double factor = std::sqrt(element.area);
-    if (J)
-      J->template topRows<2 * N>().setZero();
-    for (int a = 0; a < 2; ++a)
-      for (int i = 0; i < N; ++i) {
-        const int row = a * N + i;
-        r[row] = 0;
-        for (int k = 0; k < 3; ++k) {
-          const double entry = factor * element.gradient(a, k);
-          r[row] += entry * q[std::size_t(k)][i];
-          if (J)
-            (*J)(row, k * N + i) = entry;
-        }
-      }
-  }
-
-  bool add_odeco(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
-  {
-    const double factor = std::sqrt(2. / 3 * element.area) / (m_relative_epsilon * element.size);
-    for (int p = 0; p < points; ++p) {
-      const Coefficients at = interpolate(q, p);
-      Coefficients area_derivatives;
-      const double area = Traits::area(at, J ? &area_derivatives : nullptr);
-      if (!is_positive(at, area))
-        return false;
-      double c[odeco];
-      Eigen::Matrix<double, odeco, N> derivatives;
-      Traits::odeco(at, c, J ? &derivatives : nullptr);
-      const double scale = factor / area;
-      const int row = first_odeco_row + odeco * p;
-      for (int i = 0; i < odeco; ++i)
-        r[row + i] = scale * c[i];
-      if (J) {
-        for (int i = 0; i < odeco; ++i)
-          derivatives.row(i) = scale * (derivatives.row(i) - c[i] / area * area_derivatives.transpose());
-        for (int k = 0; k < 3; ++k)
-          J->template block<odeco, N>(row, k * N) = weight(p, k) * derivatives;
-      }
-    }
-    return true;
-  }
-
-  bool add_integrability(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
-  {
-    Coefficients d[2];
-    for (int a = 0; a < 2; ++a)
-      d[a] = element.gradient(a, 0) * q[0] + element.gradient(a, 1) * q[1] + element.gradient(a, 2) * q[2];
-    const double factor = std::sqrt(2. / 3 * element.area);
-    Lie_bracket<N> lie;
-    for (int p = 0; p < points; ++p) {
-      const Coefficients at = interpolate(q, p);
-      Coefficients area_derivatives;
-      const double area = Traits::area(at, J ? &area_derivatives : nullptr);
-      if (!is_positive(at, area))
-        return false;
-      lie.evaluate(at, d[0], d[1], J != nullptr);
-      const double scale = factor / area;
-      r.template segment<2>(2 * p) = scale * lie.value;
-      if (!J)
-        continue;
-      const Eigen::Matrix<double, 2, N> by_point =
-          scale * (lie.by_value - lie.value / area * area_derivatives.transpose());
-      for (int k = 0; k < 3; ++k)
-        J->template block<2, N>(2 * p, k * N) = weight(p, k) * by_point +
-                                                scale * element.gradient(0, k) * lie.by_derivative[0] +
-                                                scale * element.gradient(1, k) * lie.by_derivative[1];
-    }
-    return true;
-  }
-
   /// \pre `q` has a positive area at the quadrature points.
-  void add_size_attraction(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
+  void add_size_attraction(const typename Pieces::Element& element, const typename Pieces::Corners& q, Residuals& r,
+                           Jacobian* J) const
   {
     if (m_size_attraction == 0 && (m_target_attraction == 0 || !m_elements->has_targets())) {
       r.template segment<points>(first_size_row).setZero();
@@ -187,18 +106,19 @@ private:
         density += m_target_attraction * target / m_elements->target_area();
       const double factor = std::sqrt(density * element.area / 3);
       Coefficients area_derivatives;
-      const double area = Traits::area(interpolate(q, p), &area_derivatives);
+      const double area = Tensor_coefficients<N>::area(Pieces::interpolate(q, p), &area_derivatives);
       const double log_size = (expected[0] + expected[1] + expected[2]) / 6 + 0.5 * expected[p];
       r[first_size_row + p] = factor * (0.5 * std::log(area) - log_size);
       if (J)
         for (int k = 0; k < 3; ++k)
           J->template block<1, N>(first_size_row + p, k * N) =
-              (0.5 * factor * weight(p, k) / area) * area_derivatives.transpose();
+              (0.5 * factor * Pieces::weight(p, k) / area) * area_derivatives.transpose();
     }
   }
 
   /// At the centroid. \pre `q` has a positive area at the quadrature points, whose mean the centroid is.
-  void add_grading_attraction(const Element& element, const Corners& q, Residuals& r, Jacobian* J) const
+  void add_grading_attraction(const typename Pieces::Element& element, const typename Pieces::Corners& q, Residuals& r,
+                              Jacobian* J) const
   {
     if (m_grading_attraction == 0) {
       r.template tail<2>().setZero();
@@ -208,7 +128,7 @@ private:
     }
     const double factor = std::sqrt(m_grading_attraction * element.area);
     Coefficients area_derivatives;
-    const double area = Traits::area((q[0] + q[1] + q[2]) / 3, &area_derivatives);
+    const double area = Tensor_coefficients<N>::area((q[0] + q[1] + q[2]) / 3, &area_derivatives);
     for (int a = 0; a < 2; ++a) {
       Coefficients slope = Coefficients::Zero();
       double expected = 0;
@@ -218,7 +138,7 @@ private:
       }
       // The area is a quadratic form, so its derivatives are linear in the coefficients.
       Coefficients slope_derivatives;
-      Traits::area(slope, &slope_derivatives);
+      Tensor_coefficients<N>::area(slope, &slope_derivatives);
       const double log_slope = 0.5 * area_derivatives.dot(slope) / area;
       const int row = first_grading_row + a;
       r[row] = factor * (log_slope - expected);

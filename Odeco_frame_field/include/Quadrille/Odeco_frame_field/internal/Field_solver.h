@@ -7,9 +7,12 @@
 #include <Quadrille/Element_least_squares.h>
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/Field_energy.h>
+#include <Quadrille/Odeco_frame_field/internal/Kappa_energy.h>
 #include <Quadrille/minimize_lbfgs.h>
 #include <Quadrille/minimize_least_squares.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -27,6 +30,14 @@ private:
   std::mt19937_64 m_engine;
 };
 
+/// The schedule for a field of `n_triangles`: a singularity has to be soft over the same part of the domain however
+/// fine the triangles are.
+inline Melt_and_freeze_schedule melt_and_freeze_schedule_for(Melt_and_freeze_schedule schedule, std::size_t n_triangles)
+{
+  schedule.melt_epsilon *= std::max(1.0, std::sqrt(double(n_triangles) / 2500));
+  return schedule;
+}
+
 /// Minimises the energies of one field; every method starts from, and returns, a vector of unknowns.
 template <int N> class Field_solver {
 public:
@@ -38,12 +49,11 @@ public:
                const Progress_observer* observer, Field_solver_kind kind, double target_attraction = 0)
       : m_elements(elements), m_schedule(schedule), m_observer(observer), m_kind(kind),
         m_smoothness(elements, schedule.smooth_epsilon), m_integrability(elements, schedule.final_epsilon),
-        m_smooth_problem(m_smoothness, elements.number_of_unknowns(), threads),
         m_integrable_problem(m_integrability, elements.number_of_unknowns(), threads)
   {
 #ifndef QUADRILLE_WITH_ALGLIB
-    if (kind == Field_solver_kind::lbfgs)
-      throw Invalid_argument_error("the L-BFGS reference solver needs ALGLIB, which this build does not have");
+    if (kind != Field_solver_kind::levenberg_marquardt)
+      throw Invalid_argument_error("the L-BFGS reference solvers need ALGLIB, which this build does not have");
 #endif
     m_integrability.set_target_attraction(target_attraction);
     if constexpr (N == 5)
@@ -52,14 +62,29 @@ public:
       m_solver.analyze(m_integrable_problem.gauss_newton_matrix());
   }
 
-  /// The minimum of E_smooth from the harmonic extension of the constraints. `typical_size` sets the scale where the
-  /// constraints leave it open.
+  /// Another solver for the same field, to be used on another thread. The pattern and its analysis are shared, the
+  /// factor, which takes most of the memory, is not.
+  Field_solver(const Field_solver& other, int threads)
+      : m_elements(other.m_elements), m_schedule(other.m_schedule), m_observer(other.m_observer), m_kind(other.m_kind),
+        m_smoothness(other.m_smoothness), m_integrability(other.m_integrability),
+        m_integrable_problem(m_integrability, other.m_integrable_problem, threads), m_solver(other.m_solver)
+  {
+  }
+
+  /// The minimum of E_smooth (of E_kappa, kappa = 1) from the harmonic extension of the constraints. `typical_size`
+  /// sets the scale where the constraints leave it open.
   Eigen::VectorXd smooth_field(double typical_size)
   {
-    Eigen::VectorXd x = harmonic_field(typical_size);
+    // Most solvers never need it, and its matrix takes memory.
+    Element_least_squares<Smoothness> problem(m_smoothness, m_integrable_problem, m_integrable_problem.threads());
+    Eigen::VectorXd x = harmonic_field(problem, typical_size);
+    if (m_kind == Field_solver_kind::lbfgs_kappa) {
+      minimize_kappa(x, {1});
+      return x;
+    }
     Levenberg_marquardt_options options;
     options.relative_decrease = 1e-6;
-    minimize(m_smooth_problem, x, options);
+    minimize(problem, x, options);
     return x;
   }
 
@@ -106,9 +131,28 @@ public:
     integrate(x);
   }
 
-  /// Minimises E_integ at the final epsilon.
+  /// From a field that is frozen where triangles are `ratio` times larger to a local minimum of E_integ at the final
+  /// epsilon here.
+  void sharpen(Eigen::VectorXd& x, double ratio)
+  {
+    m_integrability.set_size_attraction(0);
+    Levenberg_marquardt_options options;
+    options.max_iterations = m_schedule.sharpen_steps;
+    options.relative_decrease = 1e-2;
+    for (double epsilon = ratio * m_schedule.final_epsilon; epsilon > m_schedule.final_epsilon; epsilon /= 2) {
+      m_integrability.set_relative_epsilon(epsilon);
+      minimize(m_integrable_problem, x, options);
+    }
+    integrate(x);
+  }
+
+  /// Minimises E_integ (E_kappa down to kappa = 0) at the final epsilon.
   void integrate(Eigen::VectorXd& x)
   {
+    if (m_kind == Field_solver_kind::lbfgs_kappa) {
+      minimize_kappa(x, {1e-1, 1e-2, 1e-3, 1e-4, 0});
+      return;
+    }
     m_integrability.set_relative_epsilon(m_schedule.final_epsilon);
     Levenberg_marquardt_options options;
     options.max_iterations = m_schedule.final_steps;
@@ -154,7 +198,7 @@ private:
     if (x.size() == 0)
       return;
 #ifdef QUADRILLE_WITH_ALGLIB
-    if (m_kind == Field_solver_kind::lbfgs) {
+    if (m_kind != Field_solver_kind::levenberg_marquardt) {
       Lbfgs_options lbfgs;
       lbfgs.observer = m_observer;
       lbfgs.stage = "field";
@@ -168,7 +212,18 @@ private:
     m_iterations += minimize_levenberg_marquardt(problem, x, options, &m_solver).iterations;
   }
 
-  Eigen::VectorXd harmonic_field(double typical_size)
+  /// The schedule of planar-1, algorithm 1.
+  void minimize_kappa(Eigen::VectorXd& x, const std::vector<double>& kappas)
+  {
+    Kappa_energy<N> energy(m_elements, m_schedule.final_epsilon, 1);
+    Element_least_squares<Kappa_energy<N>> problem(energy, m_integrable_problem, m_integrable_problem.threads());
+    for (const double kappa : kappas) {
+      energy.set_kappa(kappa);
+      minimize(problem, x, {});
+    }
+  }
+
+  Eigen::VectorXd harmonic_field(Element_least_squares<Smoothness>& problem, double typical_size)
   {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(m_elements.number_of_unknowns()));
     // E_odeco needs a positive area, so the Dirichlet energy alone gives the start. It is quadratic: with a huge
@@ -183,7 +238,7 @@ private:
     options.max_iterations = 10;
     options.initial_damping = 1e-6;
     options.relative_decrease = 1e-4;
-    minimize(m_smooth_problem, x, options);
+    minimize(problem, x, options);
     m_smoothness.set_relative_epsilon(m_schedule.smooth_epsilon);
     return x;
   }
@@ -216,7 +271,6 @@ private:
   Field_solver_kind m_kind;
   Smoothness m_smoothness;
   Integrability m_integrability;
-  Element_least_squares<Smoothness> m_smooth_problem;
   Element_least_squares<Integrability> m_integrable_problem;
   Cholesky_solver m_solver;
   int m_iterations = 0;

@@ -6,8 +6,10 @@
 
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/Canonical_position.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_hierarchy.h>
 #include <Quadrille/Odeco_frame_field/internal/Field_solver.h>
 #include <Quadrille/Odeco_frame_field/internal/harmonic_log_sizes.h>
+#include <Quadrille/Odeco_frame_field/internal/local_triangle_sizes.h>
 #include <Quadrille/Odeco_frame_field/internal/vertex_restrictions.h>
 
 #include <algorithm>
@@ -54,39 +56,10 @@ inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges
   const Melt_and_freeze_schedule& schedule = options.schedule;
   if (options.starts < 0 || options.threads < 0)
     throw Invalid_argument_error("the numbers of starts and of threads must not be negative");
-  if (!(schedule.smooth_epsilon > 0) || !(schedule.final_epsilon > 0) ||
+  if (!(schedule.smooth_epsilon > 0) || !(schedule.final_epsilon > 0) || schedule.coarse_triangles < 1 ||
       !(schedule.melt_epsilon >= schedule.final_epsilon) || !(schedule.freeze_ratio > 1) || !(schedule.noise >= 0))
     throw Invalid_argument_error("the melt-and-freeze schedule needs positive epsilons that do not increase, a ratio "
-                                 "above 1 and a noise that is not negative");
-}
-
-/// The edge length of an equilateral triangle of the face's area, averaged once over the neighbours.
-inline std::vector<double> local_triangle_sizes(const Indexed_triangulation& mesh,
-                                                const std::vector<Eigen::Vector2d>& points)
-{
-  const auto n = std::size_t(mesh.number_of_faces());
-  std::vector<double> size(n), smoothed(n);
-  for (std::size_t f = 0; f < n; ++f) {
-    const auto& t = mesh.triangle(int(f));
-    const Eigen::Vector2d a = points[std::size_t(t[1])] - points[std::size_t(t[0])];
-    const Eigen::Vector2d b = points[std::size_t(t[2])] - points[std::size_t(t[0])];
-    const double area = 0.5 * (a.x() * b.y() - a.y() * b.x());
-    if (!(area > 0))
-      throw Invalid_input_error("triangle " + std::to_string(f) +
-                                " has no area or is clockwise; the mesh must be counterclockwise and not degenerate");
-    size[f] = std::sqrt(4 / std::sqrt(3.0) * area);
-  }
-  for (std::size_t f = 0; f < n; ++f) {
-    double sum = size[f];
-    int count = 1;
-    for (int i = 0; i < 3; ++i)
-      if (const int g = mesh.opposite(int(3 * f) + i); g >= 0) {
-        sum += size[std::size_t(g / 3)];
-        ++count;
-      }
-    smoothed[f] = sum / count;
-  }
-  return smoothed;
+                                 "above 1, a noise that is not negative and a positive number of triangles");
 }
 
 /// One frame per face from the mean of its corners' coefficients; planar-2, section 7.1. Empty if a size is not
@@ -124,21 +97,35 @@ public:
                const std::vector<Constrained_halfedge>& edges, const Odeco_field_options& options,
                const Evaluator& evaluator)
       : m_options(options), m_evaluator(evaluator), m_position(canonical_position(mesh, points, edges)),
-        m_elements(make_elements(mesh, points, edges)), m_schedule(options.schedule)
+        m_mesh(canonical_mesh(mesh, points, edges)), m_elements(make_elements())
   {
-    // A singularity has to be soft over the same part of the domain however fine the triangles are.
-    m_schedule.melt_epsilon *= std::max(1.0, std::sqrt(mesh.number_of_faces() / 2500.0));
   }
+
+  const Field_elements<N>& elements() const { return m_elements; }
 
   Odeco_field_result solve(Gradients& gradients)
   {
     const Stopwatch stopwatch;
-    const int n_melted = m_options.solver == Field_solver_kind::lbfgs ? 0 : m_options.starts;
+    const int n_melted = m_options.solver == Field_solver_kind::levenberg_marquardt ? m_options.starts : 0;
     m_result.starts.resize(2 + std::size_t(n_melted));
     m_fields.resize(m_result.starts.size());
-    compute_smooth_and_relaxed_starts();
-    parallel_for(
-        std::size_t(n_melted), m_options.threads, [&](std::size_t i) { compute_melted_start(i); }, 1);
+    // Only its copies factorise, so that no factor is kept longer than it is used.
+    const Field_solver<N> analyzed(m_elements,
+                                   melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
+                                   m_options.threads, m_options.observer, m_options.solver);
+    compute_smooth_and_relaxed_starts(analyzed);
+    if (n_melted > 0) {
+      const Field_hierarchy<N> hierarchy(m_mesh, m_elements, m_options.schedule, m_options.threads, m_options.observer);
+      // A factor of 400,000 triangles takes about a gigabyte, so beyond that starts take turns and share the threads.
+      const int at_once = int(std::clamp<std::size_t>(400000 / m_elements.number_of_elements(), 1, 1000));
+      const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
+      parallel_for(
+          std::size_t(n_melted), start_threads,
+          [&](std::size_t i) {
+            compute_melted_start(i, analyzed, start_threads > 1 ? 1 : m_options.threads, hierarchy);
+          },
+          1);
+    }
     choose_start();
 
     const Field_start& chosen = m_result.starts[std::size_t(m_result.chosen)];
@@ -179,8 +166,8 @@ private:
             n_sizes > 0 ? std::exp(log_size / n_sizes) : 1};
   }
 
-  Field_elements<N> make_elements(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
-                                  std::vector<Constrained_halfedge> edges)
+  Constrained_mesh canonical_mesh(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
+                                  std::vector<Constrained_halfedge> edges) const
   {
     std::vector<Eigen::Vector2d> canonical_points;
     for (const Eigen::Vector2d& p : points)
@@ -188,8 +175,14 @@ private:
     for (Constrained_halfedge& edge : edges)
       for (Frame_size& size : edge.size)
         size = {m_position.size(size.normal), m_position.size(size.tangential)};
+    return {mesh, std::move(canonical_points), std::move(edges)};
+  }
+
+  Field_elements<N> make_elements()
+  {
+    const auto& [mesh, points, edges] = m_mesh;
     std::vector<Vertex_restriction<N>> restrictions;
-    std::vector<Vertex_constraint> constraints = collect_vertex_constraints(mesh, canonical_points, edges);
+    std::vector<Vertex_constraint> constraints = collect_vertex_constraints(mesh, points, edges);
     std::vector<double> targets = m_options.target_size;
     for (double& size : targets)
       size = m_position.size(size);
@@ -204,8 +197,8 @@ private:
       restrict_vertex(constraint, restrictions.back());
       m_result.free_corners += constraint.is_free_corner() ? 1 : 0;
     }
-    return Field_elements<N>(mesh, canonical_points, local_triangle_sizes(mesh, canonical_points),
-                             std::move(restrictions), harmonic_log_sizes(mesh, canonical_points, constraints, targets),
+    return Field_elements<N>(mesh, points, local_triangle_sizes(mesh, points),
+                             std::move(restrictions), harmonic_log_sizes(mesh, points, constraints, targets),
                              target_weights(targets));
   }
 
@@ -216,10 +209,9 @@ private:
     return weights;
   }
 
-  void compute_smooth_and_relaxed_starts()
+  void compute_smooth_and_relaxed_starts(const Field_solver<N>& analyzed)
   {
-    Field_solver<N> solver(m_elements, m_schedule, m_options.threads, m_options.observer, m_options.solver,
-                           m_options.target_size_weight);
+    Field_solver<N> solver(analyzed, m_options.threads);
     const Stopwatch smooth_watch;
     m_fields[0] = solver.smooth_field(1);
     Field_start start;
@@ -234,18 +226,22 @@ private:
     finish_start(1, start, solver, relaxed_watch);
   }
 
-  void compute_melted_start(std::size_t i)
+  void compute_melted_start(std::size_t i, const Field_solver<N>& analyzed, int threads,
+                            const Field_hierarchy<N>& hierarchy)
   {
     const Stopwatch watch;
-    Field_solver<N> solver(m_elements, m_schedule, 1, m_options.observer, m_options.solver,
-                           m_options.target_size_weight);
+    Field_solver<N> solver(analyzed, threads);
     Field_start start;
     start.kind = Field_start::Kind::melted;
     start.seed = m_options.seed + i;
-    m_fields[i + 2] = solver.melt(m_fields[0], start.seed);
-    solver.settle(m_fields[i + 2]);
-    solver.freeze(m_fields[i + 2]);
-    start.iterations = solver.iterations();
+    if (hierarchy.empty()) {
+      m_fields[i + 2] = solver.melt(m_fields[0], start.seed);
+      solver.settle(m_fields[i + 2]);
+      solver.freeze(m_fields[i + 2]);
+    } else {
+      m_fields[i + 2] = hierarchy.melt_and_freeze(start.seed, m_elements, solver, start.iterations);
+    }
+    start.iterations += solver.iterations();
     finish_start(i + 2, start, solver, watch);
   }
 
@@ -309,8 +305,8 @@ private:
   const Evaluator& m_evaluator;
   Odeco_field_result m_result;
   Canonical_position m_position;
+  Constrained_mesh m_mesh; ///< in the canonical position
   Field_elements<N> m_elements;
-  Melt_and_freeze_schedule m_schedule;
   std::vector<Eigen::VectorXd> m_fields; ///< by start
 };
 

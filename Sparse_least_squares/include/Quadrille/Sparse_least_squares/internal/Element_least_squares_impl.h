@@ -14,65 +14,28 @@ namespace Quadrille {
 
 template <class Term>
 Element_least_squares<Term>::Element_least_squares(const Term& term, std::size_t n_unknowns, int threads)
-    : m_term(term), m_n(n_unknowns), m_threads(threads), m_gradient(Vector::Zero(Eigen::Index(n_unknowns)))
+    : m_term(term), m_pattern(std::make_shared<Pattern>(term, n_unknowns)), m_threads(threads),
+      m_matrix(m_pattern->matrix()), m_gradient(Vector::Zero(Eigen::Index(n_unknowns)))
 {
-  const std::size_t n_elements = term.number_of_elements();
-  m_indices.resize(n_elements);
-  m_counts.resize(n_elements);
-  m_first.resize(n_elements + 1, 0);
-  for (std::size_t e = 0; e < n_elements; ++e) {
-    m_counts[e] = term.element_unknowns(e, m_indices[e]);
-    const auto count = std::size_t(m_counts[e]);
-    m_first[e + 1] = m_first[e] + count * (count + 1) / 2;
-  }
-  build_pattern();
 }
 
-template <class Term> void Element_least_squares<Term>::build_pattern()
+template <class Term>
+template <class Other_term>
+Element_least_squares<Term>::Element_least_squares(const Term& term, const Element_least_squares<Other_term>& other,
+                                                   int threads)
+    : m_term(term), m_pattern(other.m_pattern), m_threads(threads), m_matrix(m_pattern->matrix()),
+      m_gradient(Vector::Zero(other.m_gradient.size()))
 {
-  std::vector<std::vector<int>> rows_of_column(m_n);
-  for (std::size_t e = 0; e < m_indices.size(); ++e)
-    for (int i = 0; i < m_counts[e]; ++i)
-      for (int j = 0; j <= i; ++j) {
-        const auto [low, high] = std::minmax(m_indices[e][std::size_t(i)], m_indices[e][std::size_t(j)]);
-        rows_of_column[std::size_t(low)].push_back(high);
-      }
-  std::vector<int> column_start(m_n + 1, 0);
-  std::vector<int> rows;
-  for (std::size_t c = 0; c < m_n; ++c) {
-    std::vector<int>& column = rows_of_column[c];
-    column.push_back(int(c)); // so that the damping always finds a diagonal
-    std::sort(column.begin(), column.end());
-    column.erase(std::unique(column.begin(), column.end()), column.end());
-    rows.insert(rows.end(), column.begin(), column.end());
-    column_start[c + 1] = int(rows.size());
-    std::vector<int>().swap(column);
-  }
-  m_matrix.resize(Eigen::Index(m_n), Eigen::Index(m_n));
-  m_matrix.resizeNonZeros(Eigen::Index(rows.size()));
-  std::copy(column_start.begin(), column_start.end(), m_matrix.outerIndexPtr());
-  std::copy(rows.begin(), rows.end(), m_matrix.innerIndexPtr());
-  std::fill(m_matrix.valuePtr(), m_matrix.valuePtr() + rows.size(), 0.0);
-
-  m_places.resize(m_first.back());
-  parallel_for(m_indices.size(), m_threads, [&](std::size_t e) {
-    std::size_t place = m_first[e];
-    for (int i = 0; i < m_counts[e]; ++i)
-      for (int j = 0; j <= i; ++j) {
-        const auto [low, high] = std::minmax(m_indices[e][std::size_t(i)], m_indices[e][std::size_t(j)]);
-        const auto begin = rows.begin() + column_start[std::size_t(low)];
-        const auto end = rows.begin() + column_start[std::size_t(low) + 1];
-        m_places[place++] = int(std::lower_bound(begin, end, high) - rows.begin());
-      }
-  });
 }
 
 template <class Term>
 void Element_least_squares<Term>::evaluate(std::size_t e, const Vector& x, Detail detail, Contribution& result) const
 {
+  const auto& indices = m_pattern->indices(e);
+  const int count = m_pattern->count(e);
   Unknowns local = Unknowns::Zero();
-  for (int i = 0; i < m_counts[e]; ++i)
-    local[i] = x[m_indices[e][std::size_t(i)]];
+  for (int i = 0; i < count; ++i)
+    local[i] = x[indices[std::size_t(i)]];
   Residuals r;
   if (detail == Detail::energy) {
     const bool inside = m_term.evaluate(e, local, r, nullptr);
@@ -86,11 +49,11 @@ void Element_least_squares<Term>::evaluate(std::size_t e, const Vector& x, Detai
   }
   result.energy = 0.5 * r.squaredNorm();
   // Column by column: Eigen's general products are slower at these sizes, and half of the matrix is enough.
-  for (int i = 0; i < m_counts[e]; ++i)
+  for (int i = 0; i < count; ++i)
     result.gradient[i] = J.col(i).dot(r);
   if (detail == Detail::matrix)
-    for (int j = 0; j < m_counts[e]; ++j)
-      for (int i = j; i < m_counts[e]; ++i)
+    for (int j = 0; j < count; ++j)
+      for (int i = j; i < count; ++i)
         result.matrix(i, j) = J.col(i).dot(J.col(j));
 }
 
@@ -98,8 +61,9 @@ template <class Term>
 template <class Add>
 double Element_least_squares<Term>::accumulate(const Vector& x, Detail detail, const Add& add) const
 {
-  constexpr std::size_t block = 2048;
-  const std::size_t n = m_indices.size();
+  // One thread works within its cache; several need blocks that are worth waking them for.
+  const std::size_t block = m_threads == 1 ? 64 : 2048;
+  const std::size_t n = m_pattern->number_of_elements();
   m_buffer.resize(std::min(block, n));
   double energy = 0;
   for (std::size_t begin = 0; begin < n; begin += block) {
@@ -123,10 +87,11 @@ template <class Term> double Element_least_squares<Term>::energy(const Vector& x
 
 template <class Term> double Element_least_squares<Term>::energy_and_gradient(const Vector& x, Vector& gradient) const
 {
-  gradient.setZero(Eigen::Index(m_n));
+  gradient.setZero(Eigen::Index(number_of_unknowns()));
   return accumulate(x, Detail::gradient, [&](std::size_t e, const Contribution& c) {
-    for (int i = 0; i < m_counts[e]; ++i)
-      gradient[m_indices[e][std::size_t(i)]] += c.gradient[i];
+    const auto& indices = m_pattern->indices(e);
+    for (int i = 0; i < m_pattern->count(e); ++i)
+      gradient[indices[std::size_t(i)]] += c.gradient[i];
   });
 }
 
@@ -136,9 +101,10 @@ template <class Term> double Element_least_squares<Term>::linearize(const Vector
   double* values = m_matrix.valuePtr();
   std::fill(values, values + m_matrix.nonZeros(), 0.0);
   return accumulate(x, Detail::matrix, [&](std::size_t e, const Contribution& c) {
-    const int* place = m_places.data() + m_first[e];
-    for (int i = 0; i < m_counts[e]; ++i) {
-      m_gradient[m_indices[e][std::size_t(i)]] += c.gradient[i];
+    const int* place = m_pattern->places(e);
+    const auto& indices = m_pattern->indices(e);
+    for (int i = 0; i < m_pattern->count(e); ++i) {
+      m_gradient[indices[std::size_t(i)]] += c.gradient[i];
       for (int j = 0; j <= i; ++j)
         values[*place++] += c.matrix(i, j);
     }

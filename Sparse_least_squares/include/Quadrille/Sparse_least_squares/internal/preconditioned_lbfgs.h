@@ -4,58 +4,16 @@
 #ifndef QUADRILLE_SPARSE_LEAST_SQUARES_INTERNAL_PRECONDITIONED_LBFGS_H
 #define QUADRILLE_SPARSE_LEAST_SQUARES_INTERNAL_PRECONDITIONED_LBFGS_H
 
-#include <Quadrille/Sparse_least_squares/internal/levenberg_marquardt.h>
+#include <Quadrille/Sparse_least_squares/internal/Damped_matrix.h>
+#include <Quadrille/Sparse_least_squares/internal/Lbfgs_memory.h>
+#include <Quadrille/Sparse_least_squares/internal/Stopwatch.h>
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
-#include <vector>
+#include <memory>
 
 namespace Quadrille {
-namespace internal {
-
-/// The two-loop recursion of L-BFGS around a given inverse of the initial Hessian.
-class Lbfgs_memory {
-public:
-  explicit Lbfgs_memory(int capacity) : m_capacity(std::size_t(capacity)) {}
-
-  void clear() { m_pairs.clear(); }
-
-  /// Ignores pairs without positive curvature: they would make the direction an ascent.
-  void add(const Eigen::VectorXd& s, const Eigen::VectorXd& y)
-  {
-    const double curvature = s.dot(y);
-    if (!(curvature > 1e-10 * s.norm() * y.norm()))
-      return;
-    if (m_pairs.size() == m_capacity)
-      m_pairs.pop_front();
-    m_pairs.push_back({s, y, 1 / curvature});
-  }
-
-  template <class Solver>
-  void apply(const Solver& solver, const Eigen::VectorXd& gradient, Eigen::VectorXd& direction) const
-  {
-    Eigen::VectorXd g = gradient;
-    std::vector<double> alpha(m_pairs.size());
-    for (std::size_t i = m_pairs.size(); i-- > 0;) {
-      alpha[i] = m_pairs[i].rho * m_pairs[i].s.dot(g);
-      g -= alpha[i] * m_pairs[i].y;
-    }
-    solver.solve(g, direction);
-    for (std::size_t i = 0; i < m_pairs.size(); ++i) {
-      const double beta = m_pairs[i].rho * m_pairs[i].y.dot(direction);
-      direction += (alpha[i] - beta) * m_pairs[i].s;
-    }
-  }
-
-private:
-  struct Pair {
-    Eigen::VectorXd s, y;
-    double rho;
-  };
-  std::size_t m_capacity;
-  std::deque<Pair> m_pairs;
-};
-
-} // namespace internal
 
 template <class Problem, class Solver>
 Minimization_report minimize_preconditioned_lbfgs(Problem& problem, Eigen::VectorXd& x,
@@ -79,6 +37,11 @@ Minimization_report minimize_preconditioned_lbfgs(Problem& problem, Eigen::Vecto
     report.status = Minimization_status::outside_domain;
     return report;
   }
+  const auto record = [&] {
+    if (options.record_history)
+      report.history.push_back({stopwatch.seconds(), energy});
+  };
+  record();
 
   const auto refresh_preconditioner = [&] {
     problem.linearize(x);
@@ -149,6 +112,7 @@ Minimization_report minimize_preconditioned_lbfgs(Problem& problem, Eigen::Vecto
     gradient.swap(new_gradient);
     energy = new_energy;
     ++report.iterations;
+    record();
     ++since_refresh;
     history.push_back(energy);
     if (int(history.size()) > options.window) {
