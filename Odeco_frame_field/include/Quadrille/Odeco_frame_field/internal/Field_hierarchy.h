@@ -23,7 +23,8 @@ template <int N> class Field_hierarchy {
 public:
   /// No levels where `mesh` has fewer than twice `schedule.coarse_triangles`. `elements` are those of `mesh`.
   Field_hierarchy(const Constrained_mesh& mesh, const Field_elements<N>& elements,
-                  const Melt_and_freeze_schedule& schedule, int threads, const Progress_observer* observer)
+                  const Melt_and_freeze_schedule& schedule, int threads, const Progress_observer* observer,
+                  double target_attraction)
   {
     const double growth = double(mesh.mesh.number_of_faces()) / schedule.coarse_triangles;
     if (!(growth >= 2))
@@ -38,7 +39,7 @@ public:
         break; // all of the rest is bound to curves
       level->solver = std::make_unique<Field_solver<N>>(
           level->elements, melt_and_freeze_schedule_for(schedule, level->elements.number_of_elements()), threads,
-          observer, Field_solver_kind::levenberg_marquardt);
+          observer, Field_solver_kind::levenberg_marquardt, target_attraction);
       m_levels.push_back(std::move(level));
       finer = &m_levels.back()->mesh;
       finer_elements = &m_levels.back()->elements;
@@ -99,13 +100,15 @@ private:
     Field_elements<N> restricted_elements(const Field_elements<N>& finer) const
     {
       std::vector<Vertex_restriction<N>> restrictions;
-      std::vector<double> log_sizes;
+      std::vector<double> log_sizes, target_weights;
       for (const int v : fine_vertex) {
         restrictions.push_back(finer.restriction(std::size_t(v)));
         log_sizes.push_back(finer.expected_log_size(std::size_t(v)));
+        if (finer.has_targets())
+          target_weights.push_back(finer.target_weight(std::size_t(v)));
       }
       return Field_elements<N>(mesh.mesh, mesh.points, local_triangle_sizes(mesh.mesh, mesh.points),
-                               std::move(restrictions), std::move(log_sizes));
+                               std::move(restrictions), std::move(log_sizes), std::move(target_weights));
     }
 
     std::vector<int> fine_vertex, coarse_vertex;

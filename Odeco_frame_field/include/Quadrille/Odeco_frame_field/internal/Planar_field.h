@@ -110,12 +110,13 @@ public:
     m_result.starts.resize(2 + std::size_t(n_melted));
     m_fields.resize(m_result.starts.size());
     // Only its copies factorise, so that no factor is kept longer than it is used.
-    const Field_solver<N> analyzed(m_elements,
-                                   melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
-                                   m_options.threads, m_options.observer, m_options.solver);
+    const Field_solver<N> analyzed(
+        m_elements, melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
+        m_options.threads, m_options.observer, m_options.solver, m_options.target_size_weight);
     compute_smooth_and_relaxed_starts(analyzed);
     if (n_melted > 0) {
-      const Field_hierarchy<N> hierarchy(m_mesh, m_elements, m_options.schedule, m_options.threads, m_options.observer);
+      const Field_hierarchy<N> hierarchy(m_mesh, m_elements, m_options.schedule, m_options.threads, m_options.observer,
+                                         m_options.target_size_weight);
       // A factor of 400,000 triangles takes about a gigabyte, so beyond that starts take turns and share the threads.
       const int at_once = int(std::clamp<std::size_t>(400000 / m_elements.number_of_elements(), 1, 1000));
       const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
@@ -197,9 +198,8 @@ private:
       restrict_vertex(constraint, restrictions.back());
       m_result.free_corners += constraint.is_free_corner() ? 1 : 0;
     }
-    return Field_elements<N>(mesh, points, local_triangle_sizes(mesh, points),
-                             std::move(restrictions), harmonic_log_sizes(mesh, points, constraints, targets),
-                             target_weights(targets));
+    return Field_elements<N>(mesh, points, local_triangle_sizes(mesh, points), std::move(restrictions),
+                             harmonic_log_sizes(mesh, points, constraints, targets), target_weights(targets));
   }
 
   static std::vector<double> target_weights(const std::vector<double>& targets)
