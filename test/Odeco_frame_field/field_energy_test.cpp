@@ -117,13 +117,8 @@ TEST(Kappa_energy, is_the_weighted_sum_of_its_three_terms)
       odeco += element.area / 3 * odeco_residuals(q * weights).squaredNorm();
     }
   }
-<<<<<<< HEAD
   const double lie =
       Field_solver<5>(elements, {}, 1, nullptr, Field_solver_kind::levenberg_marquardt).energy_parts(x).lie;
-=======
-  const double lie =
-      Field_solver<5>(elements, {}, 1, nullptr, Field_solver_kind::levenberg_marquardt).energy_parts(x).lie;
->>>>>>> solver
   const double epsilon = 0.7;
   for (const double kappa : {1.0, 0.3, 0.0}) {
     const double expected = (1 - kappa) * lie + kappa * dirichlet + odeco / (epsilon * epsilon);
