@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <random>
 
 namespace {
@@ -34,8 +35,38 @@ Eigen::VectorXd sample(const Field_elements<N>& elements, const Triangles& trian
   return x;
 }
 
+/// Energies, gradients and Gauss-Newton matrices of batches against those of single elements' residuals and Jacobians.
+template <class Term> void expect_equal_batches(const Term& term, const std::vector<typename Term::Unknowns>& x)
+{
+  constexpr int n = Term::max_unknowns;
+  std::vector<Element_contribution<n>> results(x.size());
+  ASSERT_TRUE(term.evaluate_batch(0, int(x.size()), x.data(), Detail::matrix, results.data()));
+  std::array<int, std::size_t(n)> index;
+  for (std::size_t e = 0; e < x.size(); ++e) {
+    typename Term::Residuals r;
+    typename Term::Jacobian J;
+    ASSERT_TRUE(term.evaluate(e, x[e], r, &J));
+    const int count = term.element_unknowns(e, index);
+    const auto columns = J.leftCols(count);
+    EXPECT_NEAR(results[e].energy, 0.5 * r.squaredNorm(), 1e-12 * r.squaredNorm());
+    EXPECT_LT((results[e].gradient.head(count) - columns.transpose() * r).norm(), 1e-12 * J.norm() * r.norm());
+    const Eigen::MatrixXd matrix = results[e].matrix.topLeftCorner(count, count).template selfadjointView<Eigen::Lower>();
+    EXPECT_LT((matrix - columns.transpose() * columns).norm(), 1e-12 * J.squaredNorm());
+    Element_contribution<n> alone;
+    ASSERT_TRUE(term.evaluate_batch(e, 1, &x[e], Detail::gradient, &alone));
+    EXPECT_EQ(alone.energy, results[e].energy);
+    EXPECT_EQ(alone.gradient.head(count), results[e].gradient.head(count));
+    ASSERT_TRUE(term.evaluate_batch(e, 1, &x[e], Detail::energy, &alone));
+    EXPECT_NEAR(alone.energy, results[e].energy, 1e-12 * r.squaredNorm());
+  }
+  std::vector<typename Term::Unknowns> outside = x;
+  outside.back() *= -1;
+  EXPECT_EQ(term.evaluate_batch(0, int(x.size()), outside.data(), Detail::gradient, results.data()),
+            term.evaluate(x.size() - 1, outside.back(), *std::make_unique<typename Term::Residuals>(), nullptr));
+}
+
 /// Jacobians on two triangles against finite differences. `make_energy(elements)` gives the term.
-template <int N, class Make_energy> void expect_right_jacobians(const Make_energy& make_energy)
+template <int N, class Make_energy> void expect_right_derivatives(const Make_energy& make_energy)
 {
   Triangles triangles = square(1, 1);
   triangles.points[0] += Eigen::Vector2d(0.1, -0.2);
@@ -52,8 +83,9 @@ template <int N, class Make_energy> void expect_right_jacobians(const Make_energ
   const Field_elements<N> elements(triangles.indexed(), triangles.points, {0.7, 0.9}, restrictions,
                                    {0.1, -0.2, 0.3, 0});
   const auto energy = make_energy(elements);
-  for (std::size_t e = 0; e < 2; ++e)
-    for (int repeat = 0; repeat < 10; ++repeat) {
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    std::vector<Eigen::Matrix<double, 3 * N, 1>> unknowns;
+    for (std::size_t e = 0; e < 2; ++e) {
       Eigen::Matrix<double, 3 * N, 1> x;
       std::array<int, std::size_t(3 * N)> index;
       const int count = energy.element_unknowns(e, index);
@@ -61,7 +93,10 @@ template <int N, class Make_energy> void expect_right_jacobians(const Make_energ
       for (int i = 0; i < count; ++i)
         x[i] = 0.3 * uniform(engine) + (index[std::size_t(i)] == elements.first_unknown(3) ? 3 : 0);
       EXPECT_LT(jacobian_error(energy, e, x), 1e-7);
+      unknowns.push_back(x);
     }
+    expect_equal_batches(energy, unknowns);
+  }
 }
 
 template <int N, Field_energy_kind kind> Field_energy<N, kind> attracted_energy(const Field_elements<N>& elements)
@@ -72,19 +107,19 @@ template <int N, Field_energy_kind kind> Field_energy<N, kind> attracted_energy(
   return energy;
 }
 
-TEST(Field_energy, jacobians_agree_with_finite_differences)
+TEST(Field_energy, derivatives_agree_with_finite_differences)
 {
-  expect_right_jacobians<3>(attracted_energy<3, Field_energy_kind::smoothness>);
-  expect_right_jacobians<3>(attracted_energy<3, Field_energy_kind::integrability>);
-  expect_right_jacobians<5>(attracted_energy<5, Field_energy_kind::smoothness>);
-  expect_right_jacobians<5>(attracted_energy<5, Field_energy_kind::integrability>);
+  expect_right_derivatives<3>(attracted_energy<3, Field_energy_kind::smoothness>);
+  expect_right_derivatives<3>(attracted_energy<3, Field_energy_kind::integrability>);
+  expect_right_derivatives<5>(attracted_energy<5, Field_energy_kind::smoothness>);
+  expect_right_derivatives<5>(attracted_energy<5, Field_energy_kind::integrability>);
 }
 
-TEST(Kappa_energy, jacobians_agree_with_finite_differences)
+TEST(Kappa_energy, derivatives_agree_with_finite_differences)
 {
   for (const double kappa : {1.0, 0.1, 0.0}) {
-    expect_right_jacobians<3>([&](const auto& elements) { return Kappa_energy<3>(elements, 1.5, kappa); });
-    expect_right_jacobians<5>([&](const auto& elements) { return Kappa_energy<5>(elements, 1.5, kappa); });
+    expect_right_derivatives<3>([&](const auto& elements) { return Kappa_energy<3>(elements, 1.5, kappa); });
+    expect_right_derivatives<5>([&](const auto& elements) { return Kappa_energy<5>(elements, 1.5, kappa); });
   }
 }
 

@@ -11,9 +11,32 @@
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace Quadrille {
+
+namespace internal {
+
+template <class Term, class = void> struct Batch_size : std::integral_constant<int, 0> {
+};
+template <class Term>
+struct Batch_size<Term, std::void_t<decltype(Term::batch_size)>> : std::integral_constant<int, Term::batch_size> {
+};
+
+} // namespace internal
+
+/// What one element adds to the energy and, as far as asked for, to its gradient and Gauss-Newton matrix.
+template <int max_unknowns> struct Element_contribution {
+  using Vector = Eigen::Matrix<double, max_unknowns, 1>;
+  using Matrix = Eigen::Matrix<double, max_unknowns, max_unknowns>;
+  double energy;
+  Vector gradient;
+  Matrix matrix; ///< of J^T J the lower triangle
+};
+
+/// How much of it is asked for; each contains what is before it.
+enum class Detail { energy, gradient, matrix };
 
 /// A sum of squares over small elements, E(x) = 1/2 sum_e |r_e(x_e)|^2, with its gradient and Gauss-Newton matrix.
 ///
@@ -62,17 +85,13 @@ private:
   using Unknowns = Eigen::Matrix<double, K, 1>;
   using Residuals = Eigen::Matrix<double, R, 1>;
   using Jacobian = Eigen::Matrix<double, R, K>;
-  using Local_matrix = Eigen::Matrix<double, K, K>;
+  using Contribution = Element_contribution<K>;
+  static constexpr bool in_batches = internal::Batch_size<Term>::value > 0;
+  static constexpr std::size_t batch = in_batches ? std::size_t(internal::Batch_size<Term>::value) : 1;
 
-  // What an element contributes; blocks of them are evaluated in parallel before they are added in order.
-  struct Contribution {
-    double energy;
-    Unknowns gradient;
-    Local_matrix matrix;
-  };
-  enum class Detail { energy, gradient, matrix };
-
-  void evaluate(std::size_t e, const Vector& x, Detail detail, Contribution& result) const;
+  Unknowns local_unknowns(std::size_t e, const Vector& x) const;
+  // Of the elements from `first` on, `count` of them. Outside the domain an energy is infinite.
+  void evaluate(std::size_t first, std::size_t count, const Vector& x, Detail detail, Contribution* results) const;
   template <class Add> double accumulate(const Vector& x, Detail detail, const Add& add) const;
 
   const Term& m_term;

@@ -4,11 +4,12 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ELEMENTS_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ELEMENTS_H
 
-#include <Quadrille/Odeco_frame_field/internal/Tensor_coefficients.h>
+#include <Quadrille/Odeco_frame_field/internal/Triangle_values.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -36,6 +37,7 @@ public:
     std::array<int, 3> vertex;
     Eigen::Matrix<double, 2, 3> gradient; ///< of the three linear shape functions
     double area;
+    double root_area;
     double size; ///< local triangle size, the unit of epsilon
   };
 
@@ -61,10 +63,14 @@ public:
         const Eigen::Vector2d edge = p[(i + 2) % 3] - p[(i + 1) % 3];
         element.gradient.col(i) = Eigen::Vector2d(-edge.y(), edge.x()) / twice_area;
       }
+      element.root_area = std::sqrt(element.area);
       element.size = sizes[std::size_t(f)];
       m_total_area += element.area;
       m_elements.push_back(element);
     }
+    for (const Element& element : m_elements)
+      m_is_free.push_back(std::all_of(element.vertex.begin(), element.vertex.end(),
+                                      [&](int v) { return m_restrictions[std::size_t(v)].is_free; }));
     if (has_targets())
       for (const Element& element : m_elements)
         for (const int v : element.vertex)
@@ -95,26 +101,37 @@ public:
     return count;
   }
 
-  /// The coefficients at the three corners from the element's unknowns.
-  std::array<Coefficients, 3> corner_coefficients(std::size_t e, const Unknowns& x) const
+  /// No vertex of the element is restricted.
+  bool is_free(std::size_t e) const { return m_is_free[e]; }
+
+  /// The field on the elements from `first` on, as many as `S` has lanes, with their unknowns `x`. Lanes from `count` on
+  /// repeat the last element.
+  template <class S> void load(std::size_t first, int count, const Unknowns* x, Triangle_values<S, N>& values) const
   {
-    std::array<Coefficients, 3> q;
-    int place = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vertex_restriction<N>& r = m_restrictions[std::size_t(m_elements[e].vertex[k])];
-      if (r.is_free)
-        q[k] = x.template segment<N>(place);
-      else
-        q[k] = r.offset + r.basis.leftCols(r.dimension) * x.segment(place, r.dimension);
-      place += r.dimension;
+    constexpr int lanes = int(sizeof(S) / sizeof(double));
+    const Element* element[lanes];
+    Unknowns q[lanes];
+    for (int lane = 0; lane < lanes; ++lane) {
+      const int i = std::min(lane, count - 1);
+      element[lane] = &m_elements[first + std::size_t(i)];
+      q[lane] = m_is_free[first + std::size_t(i)] ? x[i] : corner_coefficients(*element[lane], x[i]);
     }
-    return q;
+    const auto vertex = [&](int lane, int k) { return std::size_t(element[lane]->vertex[std::size_t(k)]); };
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < N; ++i)
+        values.coefficients[k][i] = from_lanes<S>([&](int lane) { return q[lane][k * N + i]; });
+      for (int a = 0; a < 2; ++a)
+        values.gradient[a][k] = from_lanes<S>([&](int lane) { return element[lane]->gradient(a, k); });
+      values.expected_log_size[k] = from_lanes<S>([&](int lane) { return expected_log_size(vertex(lane, k)); });
+      values.target_weight[k] = from_lanes<S>([&](int lane) { return target_weight(vertex(lane, k)); });
+    }
+    values.root_area = from_lanes<S>([&](int lane) { return element[lane]->root_area; });
+    values.size = from_lanes<S>([&](int lane) { return element[lane]->size; });
   }
 
   /// Derivatives by the unknowns from those by the coefficients of the corners (columns k N ... k N + N - 1).
-  template <int R>
-  void restrict_jacobian(std::size_t e, const Eigen::Matrix<double, R, max_unknowns>& by_coefficients,
-                         Eigen::Matrix<double, R, max_unknowns>& by_unknowns) const
+  template <class Matrix>
+  void restrict_columns(std::size_t e, const Matrix& by_coefficients, Matrix& by_unknowns) const
   {
     int place = 0;
     for (int k = 0; k < 3; ++k) {
@@ -146,7 +163,21 @@ public:
   }
 
 private:
+  /// Of the three corners, one after the other.
+  Unknowns corner_coefficients(const Element& element, const Unknowns& x) const
+  {
+    Unknowns q;
+    int place = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vertex_restriction<N>& r = m_restrictions[std::size_t(element.vertex[std::size_t(k)])];
+      q.template segment<N>(k * N) = r.offset + r.basis.leftCols(r.dimension) * x.segment(place, r.dimension);
+      place += r.dimension;
+    }
+    return q;
+  }
+
   std::vector<Element> m_elements;
+  std::vector<bool> m_is_free; ///< elements
   std::vector<Vertex_restriction<N>> m_restrictions;
   std::vector<double> m_expected_log_sizes, m_target_weights;
   double m_total_area = 0, m_target_area = 0;

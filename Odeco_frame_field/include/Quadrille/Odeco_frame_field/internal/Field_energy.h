@@ -4,9 +4,7 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ENERGY_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ENERGY_H
 
-#include <Quadrille/Odeco_frame_field/internal/Field_residuals.h>
-
-#include <cmath>
+#include <Quadrille/Odeco_frame_field/internal/Triangle_energy.h>
 
 namespace Quadrille {
 namespace internal {
@@ -16,28 +14,30 @@ enum class Field_energy_kind {
   integrability ///< E_integ = E_Lie + E_odeco / epsilon^2; planar-2, eqs. (30), (31), (33)
 };
 
-/// The normalised energies of planar-2 as a `LeastSquaresTerm`: linear triangles, three-point quadrature.
-///
-/// Half the squared norm of the residuals is the energy.
-template <int N, Field_energy_kind kind> class Field_energy {
-  using Pieces = Field_residuals<N>;
+/// The rows of a `Field_energy` in their order.
+template <int N, Field_energy_kind kind> struct Field_energy_rows {
   static constexpr bool integrable = kind == Field_energy_kind::integrability;
-  static constexpr int points = Pieces::points;
+  using Pieces = Field_residuals<N>;
+  static constexpr int first_odeco = integrable ? Pieces::lie_rows : Pieces::dirichlet_rows;
+  static constexpr int first_size = first_odeco + Pieces::odeco_rows;
+  static constexpr int count = first_size + (integrable ? Pieces::points + (N == 5 ? 2 : 0) : 0);
+};
+
+/// The normalised energies of planar-2: linear triangles, three-point quadrature. Half the squared norm of the residuals
+/// is the energy.
+template <int N, Field_energy_kind kind>
+class Field_energy : public Triangle_energy<Field_energy<N, kind>, N, Field_energy_rows<N, kind>::count> {
+  using Base = Triangle_energy<Field_energy<N, kind>, N, Field_energy_rows<N, kind>::count>;
+  using Pieces = Field_residuals<N>;
+  using Traits = Tensor_coefficients<N>;
+  static constexpr bool integrable = kind == Field_energy_kind::integrability;
 
 public:
-  static constexpr int max_unknowns = 3 * N;
-  static constexpr int first_odeco_row = integrable ? Pieces::lie_rows : Pieces::dirichlet_rows;
-  static constexpr int first_size_row = first_odeco_row + Pieces::odeco_rows;
-  static constexpr int first_grading_row = first_size_row + (integrable ? points : 0);
-  static constexpr int max_residuals = first_grading_row + (integrable && N == 5 ? 2 : 0);
-  using Coefficients = typename Pieces::Coefficients;
-  using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
-  using Residuals = Eigen::Matrix<double, max_residuals, 1>;
-  using Jacobian = Eigen::Matrix<double, max_residuals, max_unknowns>;
+  using Rows_order = Field_energy_rows<N, kind>;
 
   /// `relative_epsilon` is in units of the elements' sizes.
   Field_energy(const Field_elements<N>& elements, double relative_epsilon)
-      : m_elements(&elements), m_relative_epsilon(relative_epsilon)
+      : Base(elements), m_relative_epsilon(relative_epsilon)
   {
   }
 
@@ -53,106 +53,80 @@ public:
   /// expected. An anisotropic field without it is free to change its sizes across straight curves at once.
   void set_grading_attraction(double weight) { m_grading_attraction = weight; }
 
-  std::size_t number_of_elements() const { return m_elements->number_of_elements(); }
-  int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
+  template <class S, class Rows> bool add_rows(const Triangle_values<S, N>& triangle, Rows& rows) const
   {
-    return m_elements->element_unknowns(e, index);
-  }
-
-  bool evaluate(std::size_t e, const Unknowns& x, Residuals& r, Jacobian* J) const
-  {
-    const auto& element = m_elements->element(e);
-    const std::array<Coefficients, 3> q = m_elements->corner_coefficients(e, x);
-    Jacobian derivatives;
-    Jacobian* by_coefficients = J ? &derivatives : nullptr;
-    bool inside = true;
-    if constexpr (integrable)
-      inside = Pieces::template lie<0>(element, q, 1, r, by_coefficients);
-    else
-      Pieces::template dirichlet<0>(element, q, 1, r, by_coefficients);
-    const double epsilon = m_relative_epsilon * element.size;
-    inside = inside && Pieces::template normalized_odeco<first_odeco_row>(element, q, epsilon, r, by_coefficients);
-    if constexpr (integrable)
-      if (inside) {
-        add_size_attraction(element, q, r, by_coefficients);
-        if constexpr (N == 5)
-          add_grading_attraction(element, q, r, by_coefficients);
-      }
-    if (inside && J)
-      m_elements->restrict_jacobian(e, derivatives, *J);
-    return inside;
+    if constexpr (integrable) {
+      if (!Pieces::lie(triangle, 1, rows))
+        return false;
+    } else {
+      Pieces::dirichlet(triangle, 1, rows);
+    }
+    if (!Pieces::normalized_odeco(triangle, S(m_relative_epsilon * triangle.size), rows))
+      return false;
+    if constexpr (integrable) {
+      add_size_attraction(triangle, rows);
+      if constexpr (N == 5)
+        add_grading_attraction(triangle, rows);
+    }
+    return true;
   }
 
 private:
-  /// \pre `q` has a positive area at the quadrature points.
-  void add_size_attraction(const typename Pieces::Element& element, const typename Pieces::Corners& q, Residuals& r,
-                           Jacobian* J) const
+  /// \pre Areas are positive at the quadrature points.
+  template <class S, class Rows> void add_size_attraction(const Triangle_values<S, N>& triangle, Rows& rows) const
   {
-    if (m_size_attraction == 0 && (m_target_attraction == 0 || !m_elements->has_targets())) {
-      r.template segment<points>(first_size_row).setZero();
-      if (J)
-        J->template middleRows<points>(first_size_row).setZero();
+    const auto& elements = this->elements();
+    const double target_density =
+        elements.has_targets() ? m_target_attraction / (3 * elements.target_area()) : 0.;
+    const double density = m_size_attraction / (3 * elements.total_area());
+    if (density == 0 && target_density == 0) {
+      rows.template skip<Pieces::points>();
       return;
     }
-    double expected[3], target_weight[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      expected[k] = m_elements->expected_log_size(std::size_t(element.vertex[k]));
-      target_weight[k] = m_elements->target_weight(std::size_t(element.vertex[k]));
-    }
-    for (int p = 0; p < points; ++p) {
-      const double target = (target_weight[0] + target_weight[1] + target_weight[2]) / 6 + 0.5 * target_weight[p];
-      double density = m_size_attraction / m_elements->total_area();
-      if (target > 0)
-        density += m_target_attraction * target / m_elements->target_area();
-      const double factor = std::sqrt(density * element.area / 3);
-      Coefficients area_derivatives;
-      const double area = Tensor_coefficients<N>::area(Pieces::interpolate(q, p), &area_derivatives);
-      const double log_size = (expected[0] + expected[1] + expected[2]) / 6 + 0.5 * expected[p];
-      r[first_size_row + p] = factor * (0.5 * std::log(area) - log_size);
-      if (J)
-        for (int k = 0; k < 3; ++k)
-          J->template block<1, N>(first_size_row + p, k * N) =
-              (0.5 * factor * Pieces::weight(p, k) / area) * area_derivatives.transpose();
+    for (const auto& weight : Pieces::weights) {
+      S expected = 0, target = 0;
+      for (int k = 0; k < 3; ++k) {
+        expected += weight[k] * triangle.expected_log_size[k];
+        target += weight[k] * triangle.target_weight[k];
+      }
+      const S factor = triangle.root_area * square_root(density + target_density * target);
+      const Tuple<S, N> q = triangle.mean(weight);
+      const S area = Traits::area(q);
+      const Tuple<S, 1> value = {{factor * (0.5 * logarithm(area) - expected)}};
+      if constexpr (Rows::with_derivatives)
+        rows.add(value, weight, Tuple<Tuple<S, N>, 1>{{scaled(0.5 * factor / area, Traits::area_derivatives(q))}});
+      else
+        rows.add(value);
     }
   }
 
-  /// At the centroid. \pre `q` has a positive area at the quadrature points, whose mean the centroid is.
-  void add_grading_attraction(const typename Pieces::Element& element, const typename Pieces::Corners& q, Residuals& r,
-                              Jacobian* J) const
+  /// At the centroid. \pre Areas are positive at the quadrature points, whose mean the centroid is.
+  template <class S, class Rows> void add_grading_attraction(const Triangle_values<S, N>& triangle, Rows& rows) const
   {
     if (m_grading_attraction == 0) {
-      r.template tail<2>().setZero();
-      if (J)
-        J->template bottomRows<2>().setZero();
+      rows.template skip<2>();
       return;
     }
-    const double factor = std::sqrt(m_grading_attraction * element.area);
-    Coefficients area_derivatives;
-    const double area = Tensor_coefficients<N>::area((q[0] + q[1] + q[2]) / 3, &area_derivatives);
+    const S factor = std::sqrt(m_grading_attraction) * triangle.root_area;
+    const Tuple<S, N> q = triangle.mean(Pieces::centroid_weights);
+    const S scale = 0.5 * factor / Traits::area(q);
+    const Tuple<S, N> by_area = Traits::area_derivatives(q);
     for (int a = 0; a < 2; ++a) {
-      Coefficients slope = Coefficients::Zero();
-      double expected = 0;
-      for (int k = 0; k < 3; ++k) {
-        slope += element.gradient(a, k) * q[std::size_t(k)];
-        expected += element.gradient(a, k) * m_elements->expected_log_size(std::size_t(element.vertex[std::size_t(k)]));
+      const Tuple<S, N> slope = triangle.slope(a);
+      const S log_slope = scale * dot(by_area, slope);
+      const Tuple<S, 1> value = {{log_slope - factor * dot(triangle.gradient[a], triangle.expected_log_size)}};
+      if constexpr (Rows::with_derivatives) {
+        // The area is a quadratic form, so its derivatives are linear in the coefficients.
+        Tuple<Tuple<S, N>, 1> by_value = {{scaled(scale, Traits::area_derivatives(slope))}};
+        add_scaled(by_value[0], -2 * scale * log_slope / factor, by_area);
+        const Tuple<Tuple<S, N>, 1> by_slope = {{scaled(scale, by_area)}}, none = {};
+        rows.add(value, Pieces::centroid_weights, by_value, a == 0 ? by_slope : none, a == 1 ? by_slope : none);
+      } else {
+        rows.add(value);
       }
-      // The area is a quadratic form, so its derivatives are linear in the coefficients.
-      Coefficients slope_derivatives;
-      Tensor_coefficients<N>::area(slope, &slope_derivatives);
-      const double log_slope = 0.5 * area_derivatives.dot(slope) / area;
-      const int row = first_grading_row + a;
-      r[row] = factor * (log_slope - expected);
-      if (J)
-        for (int k = 0; k < 3; ++k)
-          J->template block<1, N>(row, k * N) = factor *
-                                                ((0.5 * slope_derivatives - log_slope * area_derivatives) / 3 +
-                                                 0.5 * element.gradient(a, k) * area_derivatives)
-                                                    .transpose() /
-                                                area;
     }
   }
 
-  const Field_elements<N>* m_elements;
   double m_relative_epsilon;
   double m_size_attraction = 0;
   double m_target_attraction = 0;

@@ -180,7 +180,7 @@ public:
         parts.lie = parts.odeco = std::numeric_limits<double>::infinity();
         return parts;
       }
-      constexpr int lie_end = Integrability::first_odeco_row, odeco_end = Integrability::first_size_row;
+      constexpr int lie_end = Integrability::Rows_order::first_odeco, odeco_end = Integrability::Rows_order::first_size;
       parts.lie += 0.5 * residuals.template head<lie_end>().squaredNorm();
       parts.odeco += 0.5 * residuals.template segment<odeco_end - lie_end>(lie_end).squaredNorm();
     }
@@ -259,7 +259,7 @@ private:
         for (const int i : {1, 2})
           q[i] = 0.5 * m_schedule.noise * q[0] * noise();
       m_elements.assign_coefficients(v, q, x);
-      if (!(Tensor_coefficients<N>::area(m_elements.coefficients(v, x), nullptr) > 0))
+      if (!(Tensor_coefficients<N>::area(m_elements.coefficients(v, x)) > 0))
         m_elements.assign_coefficients(v, m_elements.coefficients(v, smooth), x);
     }
     return x;

@@ -81,7 +81,7 @@ std::vector<Orthogonal_frame_2> face_frames(const Field_elements<N>& elements, c
     frames[f] = recover_frame(Tensor_coefficients<N>::harmonics(mean));
     if (!(frames[f].size_u > 0) || !(frames[f].size_v > 0))
       return {};
-    const double scale = std::sqrt(Tensor_coefficients<N>::area(mean, nullptr) / (frames[f].size_u * frames[f].size_v));
+    const double scale = std::sqrt(Tensor_coefficients<N>::area(mean) / (frames[f].size_u * frames[f].size_v));
     frames[f].size_u *= scale;
     frames[f].size_v *= scale;
   }

@@ -4,6 +4,8 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_TENSOR_COEFFICIENTS_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_TENSOR_COEFFICIENTS_H
 
+#include <Quadrille/Support/internal/Pack.h>
+#include <Quadrille/Support/internal/Tuple.h>
 #include <Quadrille/odeco_tensors_2.h>
 
 #include <Eigen/Core>
@@ -18,7 +20,6 @@ template <int N> struct Tensor_coefficients {
   static constexpr int odeco_equations = N == 3 ? 1 : 3;
   static constexpr int band4 = N - 2; ///< place of (q3, q4)
   using Vector = Eigen::Matrix<double, N, 1>;
-  using Entries_matrix = Eigen::Matrix<double, 5, N>;
 
   static Circular_harmonics harmonics(const Vector& q)
   {
@@ -40,116 +41,98 @@ template <int N> struct Tensor_coefficients {
       return Vector(q[0], q[3], q[4]);
   }
 
-  /// Tensor entries = this matrix times the coefficients.
-  static const Entries_matrix& entries_matrix()
-  {
-    static const Entries_matrix matrix = [] {
-      Entries_matrix m;
-      for (int i = 0; i < N; ++i)
-        m.col(i) = Symmetric_tensor_2::entries_of_harmonics() * harmonics(Vector::Unit(i));
-      return m;
-    }();
-    return matrix;
-  }
-
-  /// The equations c_i of the odeco variety, and their derivatives by the coefficients.
-  static void odeco(const Vector& q, double* c, Eigen::Matrix<double, odeco_equations, N>* derivatives)
-  {
-    if constexpr (N == 3) {
-      c[0] = q[0] * q[0] - 18 * (q[1] * q[1] + q[2] * q[2]);
-      if (derivatives)
-        *derivatives << 2 * q[0], -36 * q[1], -36 * q[2];
-    } else {
-      const Eigen::Vector3d values = odeco_residuals(q);
-      for (int i = 0; i < 3; ++i)
-        c[i] = values[i];
-      const double root2 = std::sqrt(2.0);
-      if (derivatives)
-        *derivatives << 2 * q[0], 0, 0, -36 * q[3], -36 * q[4],                     //
-            root2 * q[1], root2 * q[0] - 6 * q[3], -6 * q[4], -6 * q[1], -6 * q[2], //
-            root2 * q[2], -6 * q[4], root2 * q[0] + 6 * q[3], 6 * q[2], -6 * q[1];
-    }
-  }
-
-  /// The area of the frame (planar-2, eq. 21) and its derivatives.
-  static double area(const Vector& q, Vector* derivatives)
-  {
-    if constexpr (N == 3) {
-      if (derivatives)
-        *derivatives << 16. / (9 * pi) * q[0], 0, 0;
-      return 8. / (9 * pi) * q[0] * q[0];
-    } else {
-      if (derivatives)
-        *derivatives << 16. / (9 * pi) * q[0], -2 / pi * q[1], -2 / pi * q[2], 0, 0;
-      return frame_area(q);
-    }
-  }
-};
-
-/// The Lie bracket [u, v] of the frame vectors in terms of the coefficients, and its derivatives; planar-2, eq. (29).
-///
-/// From the closed form of eq. (28): with entries t_0 ... t_4 of the tensor, [u, v]_i = sum over a in {0, 1},
-/// m in {0, ..., 3} of (-1)^(m + 1) binomial(3, m) t_{a + 3 - m} d_a t_{i + m}. (The paper's sign is the opposite,
-/// since there v is u turned by -90 degrees.) It is bilinear in the coefficients and their derivatives.
-template <int N> struct Lie_bracket {
-  using Coefficients = typename Tensor_coefficients<N>::Vector;
-  using Derivatives = Eigen::Matrix<double, 2, N>;
-
-  Eigen::Vector2d value;
-  Derivatives by_value;         ///< by the coefficients
-  Derivatives by_derivative[2]; ///< by their derivatives along x and y
-
-  void evaluate(const Coefficients& q, const Coefficients& x, const Coefficients& y, bool with_derivatives)
+  /// The equations c_i of the odeco variety. Here and below `S` is `double` or `Pack`.
+  template <class S> static Tuple<S, odeco_equations> odeco(const Tuple<S, N>& q)
   {
     if constexpr (N == 3)
-      evaluate_isotropic(q, x, y, with_derivatives);
+      return {{q[0] * q[0] - 18 * (q[1] * q[1] + q[2] * q[2])}};
     else
-      evaluate_general(q, x, y, with_derivatives);
+      return {{q[0] * q[0] - 18 * (q[3] * q[3] + q[4] * q[4]), root2 * q[0] * q[1] - 6 * (q[1] * q[3] + q[2] * q[4]),
+               root2 * q[0] * q[2] - 6 * (q[1] * q[4] - q[2] * q[3])}};
+  }
+
+  template <class S> static Tuple<Tuple<S, N>, odeco_equations> odeco_derivatives(const Tuple<S, N>& q)
+  {
+    if constexpr (N == 3)
+      return {{{{2 * q[0], -36 * q[1], -36 * q[2]}}}};
+    else
+      return {{{{2 * q[0], 0, 0, -36 * q[3], -36 * q[4]}},
+               {{root2 * q[1], root2 * q[0] - 6 * q[3], -6 * q[4], -6 * q[1], -6 * q[2]}},
+               {{root2 * q[2], -6 * q[4], root2 * q[0] + 6 * q[3], 6 * q[2], -6 * q[1]}}}};
+  }
+
+  /// The area of the frame (planar-2, eq. 21); `Q` is any vector of N coefficients.
+  template <class Q> static auto area(const Q& q)
+  {
+    if constexpr (N == 3)
+      return 8. / (9 * pi) * (q[0] * q[0]);
+    else
+      return 1 / pi * (8. / 9 * (q[0] * q[0]) - q[1] * q[1] - q[2] * q[2]);
+  }
+
+  template <class S> static Tuple<S, N> area_derivatives(const Tuple<S, N>& q)
+  {
+    if constexpr (N == 3)
+      return {{16. / (9 * pi) * q[0], 0, 0}};
+    else
+      return {{16. / (9 * pi) * q[0], -2 / pi * q[1], -2 / pi * q[2], 0, 0}};
   }
 
 private:
-  // The same sum written out for tensors without degree 2 part.
-  void evaluate_isotropic(const Coefficients& q, const Coefficients& x, const Coefficients& y, bool with_derivatives)
+  static constexpr double root2 = 1.41421356237309504880;
+};
+
+/// The Lie bracket [u, v] of the frame vectors in terms of the coefficients q and their slopes x, y along the axes, and
+/// its derivatives; planar-2, eq. (29).
+///
+/// From the closed form of eq. (28): with entries t_0 ... t_4 of the tensor, [u, v]_i = sum over a in {0, 1},
+/// m in {0, ..., 3} of (-1)^(m + 1) binomial(3, m) t_{a + 3 - m} d_a t_{i + m}, written out for harmonics. (The paper's
+/// sign is the opposite, since there v is u turned by -90 degrees.) It is bilinear in q and the slopes.
+template <class S, int N> struct Lie_bracket {
+  using Derivatives = Tuple<Tuple<S, N>, 2>;
+
+  Tuple<S, 2> value;
+  Derivatives by_x_slope, by_y_slope;
+
+  Lie_bracket(const Tuple<S, N>& q, const Tuple<S, N>& x, const Tuple<S, N>& y)
   {
-    constexpr double k0 = -2 / (3 * pi), k4 = -4 / pi;
-    value << k4 * (q[1] * x[2] - q[2] * x[1] + q[1] * y[1] + q[2] * y[2]) + k0 * q[0] * y[0],
-        k4 * (q[1] * y[2] - q[2] * y[1] - q[1] * x[1] - q[2] * x[2]) - k0 * q[0] * x[0];
-    if (!with_derivatives)
-      return;
-    by_value << k0 * y[0], k4 * (x[2] + y[1]), k4 * (y[2] - x[1]), //
-        -k0 * x[0], k4 * (y[2] - x[1]), -k4 * (y[1] + x[2]);
-    by_derivative[0] << 0, -k4 * q[2], k4 * q[1], //
-        -k0 * q[0], -k4 * q[1], -k4 * q[2];
-    by_derivative[1] << k0 * q[0], k4 * q[1], k4 * q[2], //
-        0, -k4 * q[2], k4 * q[1];
+    if constexpr (N == 3) {
+      by_x_slope = {{{{0, -k4 * q[2], k4 * q[1]}}, //
+                     {{k0 * q[0], -k4 * q[1], -k4 * q[2]}}}};
+      by_y_slope = {{{{-k0 * q[0], k4 * q[1], k4 * q[2]}}, //
+                     {{0, -k4 * q[2], k4 * q[1]}}}};
+    } else {
+      by_x_slope = {{{{-k02 * q[2], k2 * (q[4] - 0.5 * q[2]), k02 * q[0] + k2 * (0.5 * q[1] - q[3]),
+                       k2 * q[2] - k4 * q[4], k4 * q[3] - k2 * q[1]}},
+                     {{k0 * q[0] + k02 * q[1], -k02 * q[0] - k2 * (q[1] + q[3]), -k2 * (q[2] + q[4]),
+                       k2 * q[1] - k4 * q[3], k2 * q[2] - k4 * q[4]}}}};
+      by_y_slope = {{{{k02 * q[1] - k0 * q[0], k2 * (q[1] - q[3]) - k02 * q[0], k2 * (q[2] - q[4]),
+                       k2 * q[1] + k4 * q[3], k2 * q[2] + k4 * q[4]}},
+                     {{k02 * q[2], -k2 * (0.5 * q[2] + q[4]), k2 * (0.5 * q[1] + q[3]) - k02 * q[0],
+                       -k2 * q[2] - k4 * q[4], k2 * q[1] + k4 * q[3]}}}};
+    }
+    for (int i = 0; i < 2; ++i)
+      value[i] = dot(by_x_slope[i], x) + dot(by_y_slope[i], y);
   }
 
-  void evaluate_general(const Coefficients& q, const Coefficients& x, const Coefficients& y, bool with_derivatives)
+  /// By q.
+  static Derivatives by_value(const Tuple<S, N>& x, const Tuple<S, N>& y)
   {
-    using Entries = Eigen::Matrix<double, 5, 1>;
-    constexpr double c[4] = {-1, 3, -3, 1};
-    const auto& matrix = Tensor_coefficients<N>::entries_matrix();
-    const Entries t = matrix * q;
-    const Entries d[2] = {matrix * x, matrix * y};
-    Eigen::Matrix<double, 2, 5> by_t = Eigen::Matrix<double, 2, 5>::Zero();
-    value.setZero();
-    for (int i = 0; i < 2; ++i)
-      for (int a = 0; a < 2; ++a)
-        for (int m = 0; m < 4; ++m) {
-          value[i] += c[m] * t[a + 3 - m] * d[a][i + m];
-          by_t(i, a + 3 - m) += c[m] * d[a][i + m];
-        }
-    if (!with_derivatives)
-      return;
-    by_value.noalias() = by_t * matrix;
-    for (int a = 0; a < 2; ++a) {
-      Eigen::Matrix<double, 2, 5> by_d = Eigen::Matrix<double, 2, 5>::Zero();
-      for (int i = 0; i < 2; ++i)
-        for (int m = 0; m < 4; ++m)
-          by_d(i, i + m) = c[m] * t[a + 3 - m];
-      by_derivative[a].noalias() = by_d * matrix;
-    }
+    if constexpr (N == 3)
+      return {{{{-k0 * y[0], k4 * (x[2] + y[1]), k4 * (y[2] - x[1])}},
+               {{k0 * x[0], k4 * (y[2] - x[1]), -k4 * (x[2] + y[1])}}}};
+    else
+      return {{{{k02 * (x[2] - y[1]) - k0 * y[0], k2 * (0.5 * x[2] + y[1] - x[4] + y[3]) + k02 * y[0],
+                 k2 * (x[3] - 0.5 * x[1] + y[2] + y[4]) - k02 * x[0], k4 * (x[4] + y[3]) - k2 * (x[2] + y[1]),
+                 k4 * (y[4] - x[3]) + k2 * (x[1] - y[2])}},
+               {{k0 * x[0] - k02 * (x[1] + y[2]), k2 * (x[3] - x[1] + 0.5 * y[2] + y[4]) + k02 * x[0],
+                 k2 * (x[4] - x[2] - 0.5 * y[1] - y[3]) + k02 * y[0], k4 * (y[4] - x[3]) + k2 * (y[2] - x[1]),
+                 -k4 * (x[4] + y[3]) - k2 * (x[2] + y[1])}}}};
   }
+
+private:
+  // What pairs of degrees 0 and 0, 0 and 2, 2 and 2 or 4, 4 and 4 are multiplied by.
+  static constexpr double k0 = 2 / (3 * pi), k02 = 0.70710678118654752440 / pi, k2 = 1 / pi, k4 = -4 / pi;
 };
 
 } // namespace internal

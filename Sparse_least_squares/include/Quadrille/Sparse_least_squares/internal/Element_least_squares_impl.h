@@ -29,47 +29,64 @@ Element_least_squares<Term>::Element_least_squares(const Term& term, const Eleme
 }
 
 template <class Term>
-void Element_least_squares<Term>::evaluate(std::size_t e, const Vector& x, Detail detail, Contribution& result) const
+typename Element_least_squares<Term>::Unknowns Element_least_squares<Term>::local_unknowns(std::size_t e,
+                                                                                           const Vector& x) const
 {
   const auto& indices = m_pattern->indices(e);
-  const int count = m_pattern->count(e);
   Unknowns local = Unknowns::Zero();
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < m_pattern->count(e); ++i)
     local[i] = x[indices[std::size_t(i)]];
-  Residuals r;
-  if (detail == Detail::energy) {
-    const bool inside = m_term.evaluate(e, local, r, nullptr);
-    result.energy = inside ? 0.5 * r.squaredNorm() : std::numeric_limits<double>::infinity();
-    return;
+  return local;
+}
+
+template <class Term>
+void Element_least_squares<Term>::evaluate(std::size_t first, std::size_t n, const Vector& x, Detail detail,
+                                           Contribution* results) const
+{
+  constexpr double outside = std::numeric_limits<double>::infinity();
+  if constexpr (in_batches) {
+    Unknowns local[batch];
+    for (std::size_t i = 0; i < n; ++i)
+      local[i] = local_unknowns(first + i, x);
+    if (!m_term.evaluate_batch(first, int(n), local, detail, results))
+      results[0].energy = outside;
+  } else {
+    const int count = m_pattern->count(first);
+    const Unknowns local = local_unknowns(first, x);
+    Residuals r;
+    Jacobian J;
+    const bool inside = m_term.evaluate(first, local, r, detail == Detail::energy ? nullptr : &J);
+    results->energy = inside ? 0.5 * r.squaredNorm() : outside;
+    if (!inside || detail == Detail::energy)
+      return;
+    // Column by column: Eigen's general products are slower at these sizes, and half of the matrix is enough.
+    for (int i = 0; i < count; ++i)
+      results->gradient[i] = J.col(i).dot(r);
+    if (detail == Detail::matrix)
+      for (int j = 0; j < count; ++j)
+        for (int i = j; i < count; ++i)
+          results->matrix(i, j) = J.col(i).dot(J.col(j));
   }
-  Jacobian J;
-  if (!m_term.evaluate(e, local, r, &J)) {
-    result.energy = std::numeric_limits<double>::infinity();
-    return;
-  }
-  result.energy = 0.5 * r.squaredNorm();
-  // Column by column: Eigen's general products are slower at these sizes, and half of the matrix is enough.
-  for (int i = 0; i < count; ++i)
-    result.gradient[i] = J.col(i).dot(r);
-  if (detail == Detail::matrix)
-    for (int j = 0; j < count; ++j)
-      for (int i = j; i < count; ++i)
-        result.matrix(i, j) = J.col(i).dot(J.col(j));
 }
 
 template <class Term>
 template <class Add>
 double Element_least_squares<Term>::accumulate(const Vector& x, Detail detail, const Add& add) const
 {
-  // One thread works within its cache; several need blocks that are worth waking them for.
-  const std::size_t block = m_threads == 1 ? 64 : 2048;
+  // One thread works within its cache; several need blocks that are worth waking them for. Whole batches.
+  const std::size_t block = (m_threads == 1 ? 64 : 2048) / batch * batch;
   const std::size_t n = m_pattern->number_of_elements();
   m_buffer.resize(std::min(block, n));
   double energy = 0;
   for (std::size_t begin = 0; begin < n; begin += block) {
     const std::size_t size = std::min(block, n - begin);
     parallel_for(
-        size, m_threads, [&](std::size_t i) { evaluate(begin + i, x, detail, m_buffer[i]); }, 128);
+        (size + batch - 1) / batch, m_threads,
+        [&](std::size_t i) {
+          const std::size_t first = i * batch;
+          evaluate(begin + first, std::min(batch, size - first), x, detail, &m_buffer[first]);
+        },
+        128 / batch);
     for (std::size_t i = 0; i < size; ++i) {
       energy += m_buffer[i].energy;
       if (!(energy < std::numeric_limits<double>::infinity()))
