@@ -68,9 +68,9 @@ void mesh_start(const Planar_domain& domain, std::size_t start, const std::vecto
                                     Curve_projector(domain));
 }
 
-/// What a user feels of a mesh: its mean skew and the mean error of the prescribed sizes, in units of what is still
-/// good (5 degrees; 10 %), and its irregular vertices, each like a tenth of a degree of skew.
-double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
+/// What a user feels of a mesh (`Quad_pipeline_result::mesh_scores`): skew and errors in units of what is still good, and
+/// an irregular vertex like a tenth of a degree of skew.
+double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints, bool isotropic,
                   const Quad_pipeline_result& result)
 {
   Domain_sizes sizes;
@@ -80,8 +80,9 @@ double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_cons
   int n_irregular = 0;
   for (const auto& [valence, count] : result.extraction->irregular_vertices)
     n_irregular += count;
-  return measure_quality(mesh).skew_mean / 5 + measure_size_error(mesh, domain, sizes).length.mean / 0.1 +
-         0.02 * n_irregular;
+  const Size_error error = measure_size_error(mesh, domain, sizes);
+  const double size_error = error.length.mean + (isotropic ? 0 : error.aspect.mean);
+  return measure_quality(mesh).skew_mean / 5 + size_error / 0.1 + 0.02 * n_irregular;
 }
 
 } // namespace
@@ -133,6 +134,7 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   double best_score = std::numeric_limits<double>::infinity();
   std::vector<std::string> rejected;
   int n_meshed = 0;
+  std::vector<double> scores(starts.size(), -1);
   for (const std::size_t start : order) {
     if (best && (n_meshed == options.max_meshed_starts ||
                  starts[start].cost > options.meshed_cost_ratio * starts[order.front()].cost))
@@ -141,7 +143,7 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
     Quad_pipeline_result attempt = result;
     try {
       mesh_start(domain, start, candidates[start], map_options, extraction_options, options.quantizer, attempt);
-      const double score = mesh_score(domain, constraints, attempt);
+      const double score = scores[start] = mesh_score(domain, constraints, options.field.isotropic, attempt);
       if (score < best_score) {
         best_score = score;
         best = std::move(attempt);
@@ -155,6 +157,7 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
     }
   }
   result = std::move(best ? *best : *first_failed);
+  result.mesh_scores = std::move(scores);
   result.rejected = std::move(rejected);
   if (!result.extraction)
     throw *first_error;

@@ -42,6 +42,10 @@ struct Quad_pipeline_result {
   std::optional<Quad_extraction_result> extraction;
   Mesh quads;
 
+  /// Per start, in the order of `field->starts`: what its mesh was judged by, lower is better; negative if it was not
+  /// meshed. Mean skew in units of 5 degrees, plus the mean errors of prescribed sizes and, for anisotropic fields, of
+  /// prescribed aspect ratios in units of 10 %, plus 0.02 for each irregular vertex.
+  std::vector<double> mesh_scores;
   /// Why candidates with better maps were passed over.
   std::vector<std::string> rejected;
 };

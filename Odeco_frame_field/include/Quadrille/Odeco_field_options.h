@@ -24,17 +24,18 @@ struct Melt_and_freeze_schedule {
   double smooth_epsilon = 2; ///< of the smooth start
   /// Triangulations with at least twice as many are coarsened to about so many triangles, and melted and frozen there.
   int coarse_triangles = 5000;
-  double melt_epsilon = 20;   ///< large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles
+  /// Large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles, and 2 for even seeds.
+  double melt_epsilon = 20;
   double size_attraction = 1; ///< weight of the mean squared log(size / expected), while melted
   /// Anisotropic fields, always: weight of half the integral of |grad log(sqrt(size_u size_v) / expected)|^2. Without
   /// it sizes may jump next to curves, since integrability does not restrict how a size changes along its own vector.
-  double grading_attraction = 0.1;
+  double grading_attraction = 0.2;
   double noise = 0.9;        ///< on q0, q3, q4, relative to q0 (half on q1, q2); below about 0.5 nothing happens
   int melt_steps = 15;       ///< Levenberg-Marquardt steps that take the noise out
   int soft_iterations = 200; ///< preconditioned L-BFGS iterations at the melting epsilon
   double freeze_ratio = 1.5; ///< between consecutive epsilons
   int freeze_steps = 5;      ///< Levenberg-Marquardt steps per epsilon
-  double final_epsilon = 2;  ///< small: singularities are sharp, and cannot move any more
+  double final_epsilon = 3;  ///< small: singularities are sharp, and cannot move any more
   int sharpen_steps = 3;     ///< Levenberg-Marquardt steps per halved epsilon, from coarse triangles to finer ones
   int final_steps = 40;      ///< at most
 };

@@ -56,9 +56,7 @@ public:
                                   int& iterations) const
   {
     Field_solver<N> coarsest(*m_levels.back()->solver, 1);
-    Eigen::VectorXd x = coarsest.melt(m_smooth, seed);
-    coarsest.settle(x);
-    coarsest.freeze(x);
+    Eigen::VectorXd x = coarsest.melt_and_freeze(m_smooth, seed);
     iterations += coarsest.iterations();
     for (std::size_t i = m_levels.size(); i-- > 0;) {
       const Field_elements<N>& finer = i > 0 ? m_levels[i - 1]->elements : elements;

@@ -88,47 +88,29 @@ public:
     return x;
   }
 
-  /// Takes the noise around `smooth` out at the melting epsilon.
-  Eigen::VectorXd melt(const Eigen::VectorXd& smooth, std::uint64_t seed)
+  /// From `smooth` and the noise of `seed` to a local minimum of E_integ at the final epsilon.
+  ///
+  /// How far a field should be melted differs: singularities that are softer go further and vanish more easily, harder
+  /// ones find more of the places where the sizes need them. So every other seed melts twice as much.
+  Eigen::VectorXd melt_and_freeze(const Eigen::VectorXd& smooth, std::uint64_t seed)
   {
+    const double melt_epsilon = (seed % 2 == 0 ? 2 : 1) * m_schedule.melt_epsilon;
     Eigen::VectorXd x = perturbed(smooth, seed);
-    m_integrability.set_relative_epsilon(m_schedule.melt_epsilon);
+    m_integrability.set_relative_epsilon(melt_epsilon);
     m_integrability.set_size_attraction(m_schedule.size_attraction);
-    Levenberg_marquardt_options options;
-    options.max_iterations = m_schedule.melt_steps;
-    options.relative_decrease = 1e-5;
-    minimize(m_integrable_problem, x, options);
-    return x;
-  }
-
-  /// Lets the singularities of a melted field settle, at the melting epsilon.
-  void settle(Eigen::VectorXd& x)
-  {
-    m_integrability.set_relative_epsilon(m_schedule.melt_epsilon);
-    m_integrability.set_size_attraction(m_schedule.size_attraction);
-    Preconditioned_lbfgs_options soft;
-    soft.max_iterations = m_schedule.soft_iterations;
-    soft.relative_decrease = 1e-4;
-    soft.negligible_energy = negligible_energy();
-    soft.observer = m_observer;
-    soft.stage = "field";
-    if (x.size() > 0)
-      m_iterations += minimize_preconditioned_lbfgs(m_integrable_problem, x, soft, &m_solver).iterations;
-  }
-
-  /// From a settled field to a local minimum of E_integ at the final epsilon.
-  void freeze(Eigen::VectorXd& x)
-  {
+    take_noise_out(x);
+    settle(x);
     m_integrability.set_size_attraction(0);
     Levenberg_marquardt_options options;
     options.max_iterations = m_schedule.freeze_steps;
     options.relative_decrease = 1e-3;
-    for (double epsilon = m_schedule.melt_epsilon / m_schedule.freeze_ratio; epsilon > m_schedule.final_epsilon;
+    for (double epsilon = melt_epsilon / m_schedule.freeze_ratio; epsilon > m_schedule.final_epsilon;
          epsilon /= m_schedule.freeze_ratio) {
       m_integrability.set_relative_epsilon(epsilon);
       minimize(m_integrable_problem, x, options);
     }
     integrate(x);
+    return x;
   }
 
   /// From a field that is frozen where triangles are `ratio` times larger to a local minimum of E_integ at the final
@@ -192,6 +174,27 @@ public:
 private:
   /// The energies have no unit; below this the frames are exact to about 1e-9.
   double negligible_energy() const { return 1e-18 * double(m_elements.number_of_elements()); }
+
+  void take_noise_out(Eigen::VectorXd& x)
+  {
+    Levenberg_marquardt_options options;
+    options.max_iterations = m_schedule.melt_steps;
+    options.relative_decrease = 1e-5;
+    minimize(m_integrable_problem, x, options);
+  }
+
+  /// Lets the singularities of a melted field find their places.
+  void settle(Eigen::VectorXd& x)
+  {
+    Preconditioned_lbfgs_options soft;
+    soft.max_iterations = m_schedule.soft_iterations;
+    soft.relative_decrease = 1e-4;
+    soft.negligible_energy = negligible_energy();
+    soft.observer = m_observer;
+    soft.stage = "field";
+    if (x.size() > 0)
+      m_iterations += minimize_preconditioned_lbfgs(m_integrable_problem, x, soft, &m_solver).iterations;
+  }
 
   template <class Problem> void minimize(Problem& problem, Eigen::VectorXd& x, Levenberg_marquardt_options options)
   {

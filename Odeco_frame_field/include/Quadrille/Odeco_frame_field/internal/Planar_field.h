@@ -235,9 +235,7 @@ private:
     start.kind = Field_start::Kind::melted;
     start.seed = m_options.seed + i;
     if (hierarchy.empty()) {
-      m_fields[i + 2] = solver.melt(m_fields[0], start.seed);
-      solver.settle(m_fields[i + 2]);
-      solver.freeze(m_fields[i + 2]);
+      m_fields[i + 2] = solver.melt_and_freeze(m_fields[0], start.seed);
     } else {
       m_fields[i + 2] = hierarchy.melt_and_freeze(start.seed, m_elements, solver, start.iterations);
     }
