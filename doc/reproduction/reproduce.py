@@ -14,6 +14,7 @@ import json
 import math
 import os
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -85,6 +86,11 @@ FIGURE_14 = (("square_ends", "Size 1 at the bottom, 2 at the top, free on the si
              ("tilted", "Size 1 on the inner square, 2 on the outer one."), ("nautilus", "Size 1 everywhere."))
 
 
+def cpu_seconds_of_children():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 class Lab:
     """Runs what is asked for, once each, and keeps results and pictures."""
 
@@ -94,7 +100,7 @@ class Lab:
         self.results = {}
 
     def result(self, name):
-        """The summary of a run, with `exit`, `messages`, `picture` (SVG text or None) and `valid`."""
+        """The summary of a run, with `exit`, `messages`, `cpu_seconds`, `picture` (SVG text or None) and `valid`."""
         if name not in self.results:
             self.results[name] = self.run(name)
         return self.results[name]
@@ -110,11 +116,13 @@ class Lab:
                        "--quiet", "--threads", str(self.arguments.threads)] + options
             if CASES.get(case):
                 command += ["--triangle-size", str(CASES[case])]
+            before = cpu_seconds_of_children()
             done = subprocess.run(command, stderr=subprocess.PIPE, universal_newlines=True, check=False)
+            cpu_seconds = cpu_seconds_of_children() - before
             check = subprocess.run([self.arguments.program, "check", mesh, "--against", data, "--quiet"],
                                    stderr=subprocess.PIPE, universal_newlines=True, check=False)
             with open(record, "w", encoding="utf-8") as file:
-                json.dump({"exit": done.returncode, "messages": done.stderr.strip(),
+                json.dump({"exit": done.returncode, "messages": done.stderr.strip(), "cpu_seconds": cpu_seconds,
                            "valid": done.returncode == 0 and check.returncode == 0}, file)
         with open(record, encoding="utf-8") as file:
             result = json.load(file)
@@ -185,7 +193,7 @@ def table_1(lab):
         mesh, its_map = result["mesh"], result["map"]
         between = its_map["seconds"] + result["layout"]["seconds"] + result["quantization"]["seconds"]
         sizes.append((title, n_triangles, result["input"]["faces"], field, seconds(result["field"]["seconds"]), layout,
-                      seconds(between), smoothing, seconds(mesh["seconds"]), seconds(result["seconds"]), n_quads,
+                      seconds(between), smoothing, seconds(mesh["seconds"]), seconds(result["cpu_seconds"]), n_quads,
                       mesh["quads"]))
         error, smooth = its_map["integration_error"], its_map["smooth_integration_error"]
         if paper_error and error > paper_error:
@@ -198,7 +206,7 @@ def table_1(lab):
                         "{:.1f} %".format(100 * mesh["size_error"]["mean"]), singularities(result),
                         "valid" if result["valid"] else "not valid"))
     header = ("model", "paper: triangles", "ours", "paper: field s", "ours", "paper: map to quantization s", "ours",
-              "paper: smoothing s", "ours", "ours: whole run s", "paper: quads", "ours")
+              "paper: smoothing s", "ours", "ours: whole run, CPU s", "paper: quads", "ours")
     quality_header = ("model", "paper: error", "ours", "paper: smooth / integrable", "ours", "error", "mean skew",
                       "mean size error", "singularities", "check")
     return (markdown_table(header, sizes) + "\n\n" + markdown_table(quality_header, quality) +
