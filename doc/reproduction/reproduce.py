@@ -315,7 +315,7 @@ def figure_14(lab):
 
 def figure_15(lab):
     row = ("", [lab.panel("disk_feature", "field"), lab.panel("disk_feature", "mesh")])
-    lab.write_picture("figure_15", pictures.grid(("frame field", "quad mesh"), [row], 560))
+    lab.write_picture("figure_15", pictures.grid(("frame field", "quad mesh"), [row], 700))
     result = lab.result("disk_feature")
     if "mesh" not in result:
         return result["messages"]
