@@ -120,7 +120,7 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   const std::vector<Field_start> starts = result.field->starts;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return starts[a].cost < starts[b].cost; });
-  if (order.empty()) { // only the smooth field has positive sizes
+  if (order.empty()) { // only the smooth field has positive sizes, or is wanted
     order.push_back(0);
     candidates[0] = result.gradients;
   }

@@ -63,6 +63,7 @@ po::options_description quad_options()
                         "refuse sizes that ask for more quads (default 1000000)");
   options.add_options()("isotropic", "square elements (the default)");
   options.add_options()("anisotropic", "rectangular elements: sizes across and along curves may differ");
+  options.add_options()("smooth", "mesh the smooth field instead of an integrable one, for comparisons");
   options.add_options()(
       "solver", po::value<Strings>()->value_name("lm|lbfgs|lbfgs-kappa"),
       "Levenberg-Marquardt with melting and freezing (default), or the papers' L-BFGS, for comparisons");
@@ -189,6 +190,7 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   result.anisotropic = options.has("anisotropic");
   if (result.anisotropic && options.has("isotropic"))
     throw Invalid_argument_error("options --isotropic and --anisotropic exclude each other");
+  result.smooth = options.has("smooth");
   if (options.has("quantizer")) {
     const std::string quantizer = options.one("quantizer");
     if (quantizer != "greedy" && quantizer != "optimal")

@@ -29,6 +29,7 @@ struct Quad_arguments {
   bool impose_size_field = false;
   std::size_t max_quads = 1000000; ///< sizes that ask for more are refused
   bool anisotropic = false;
+  bool smooth = false; ///< mesh the smooth field
   Quantizer_kind quantizer = default_quantizer();
   Layout_kind layout = Quad_extraction_options().layout;
   std::vector<Count_request> counts;

@@ -141,6 +141,7 @@ private:
   {
     Quad_pipeline_options options;
     options.field.isotropic = !m_arguments.anisotropic;
+    options.field.integrable = !m_arguments.smooth;
     options.field.target_size = m_target_sizes;
     options.field.target_size_weight = m_arguments.size_field_weight;
     options.field.impose_target_size = m_arguments.impose_size_field;

@@ -140,6 +140,21 @@ TEST(Odeco_frame_field, without_singularities_the_lie_energy_is_that_of_the_harm
   EXPECT_NEAR(field.result.energy, expected, 0.02 * expected);
 }
 
+TEST(Odeco_frame_field, stops_at_the_smooth_field_on_request)
+{
+  const Mesh mesh = square(12, 1).surface_mesh();
+  const auto size = [](const Kernel::Point_2& p) { return 1 + p.y(); };
+  Odeco_field_options options = quick(2);
+  const Field integrable = boundary_field(mesh, size, options);
+  options.integrable = false;
+  const Field smooth = boundary_field(mesh, size, options);
+  ASSERT_EQ(smooth.result.starts.size(), 1u);
+  EXPECT_EQ(smooth.result.chosen, 0);
+  EXPECT_EQ(smooth.result.starts[0].kind, Field_start::Kind::smooth);
+  EXPECT_EQ(smooth.result.energy, integrable.result.starts[0].energy);
+  EXPECT_GT(smooth.result.energy, 1.001 * integrable.result.energy);
+}
+
 TEST(Odeco_frame_field, melting_creates_singularities_whose_energy_the_smooth_start_never_sees)
 {
   // With an evaluator that wants sizes to change quickly in the middle, a melted start wins over the relaxed one; it

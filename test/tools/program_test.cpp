@@ -236,6 +236,19 @@ TEST_F(Program, meshes_a_square_and_checks_it)
   EXPECT_EQ(content(path("b.msh")), mesh);
 }
 
+TEST_F(Program, meshes_the_smooth_field_on_request)
+{
+  const std::string in = square(), json = path("a.json");
+  ASSERT_EQ(run({"quad", in, "-o", path("a.msh"), "--smooth", "--size", "0.5", "--size", "3=1", "--size", "2=0.5:1",
+                 "--size", "4=1:0.5", "--json", json}),
+            0)
+      << m_error;
+  const nlohmann::json summary = nlohmann::json::parse(content(json));
+  EXPECT_EQ(summary["field"]["chosen"]["kind"], "smooth");
+  EXPECT_EQ(summary["map"]["integration_error"], summary["map"]["smooth_integration_error"]);
+  EXPECT_TRUE(summary["field"]["singularities"].empty());
+}
+
 TEST_F(Program, numbers_of_elements_on_curves_are_met)
 {
   const std::string in = square(), json = path("a.json");

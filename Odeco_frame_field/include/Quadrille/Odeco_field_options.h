@@ -41,7 +41,8 @@ struct Melt_and_freeze_schedule {
 };
 
 struct Odeco_field_options {
-  bool isotropic = true; ///< frames with two equal sizes; otherwise sizes may differ, also where that is not asked for
+  bool isotropic = true;  ///< frames with two equal sizes; otherwise sizes may differ, also where that is not asked for
+  bool integrable = true; ///< otherwise only the smooth field is computed, for comparisons
   Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
   int starts = 8;         ///< number of melted candidates; 0 only relaxes the smooth field
   std::uint64_t seed = 1; ///< of the noise; equal seeds give equal fields

@@ -106,8 +106,9 @@ public:
   Odeco_field_result solve(Gradients& gradients)
   {
     const Stopwatch stopwatch;
-    const int n_melted = m_options.solver == Field_solver_kind::levenberg_marquardt ? m_options.starts : 0;
-    m_result.starts.resize(2 + std::size_t(n_melted));
+    const bool melts = m_options.integrable && m_options.solver == Field_solver_kind::levenberg_marquardt;
+    const int n_melted = melts ? m_options.starts : 0;
+    m_result.starts.resize(m_options.integrable ? 2 + std::size_t(n_melted) : 1);
     m_fields.resize(m_result.starts.size());
     // Only its copies factorise, so that no factor is kept longer than it is used.
     const Field_solver<N> analyzed(
@@ -217,6 +218,8 @@ private:
     Field_start start;
     start.iterations = solver.iterations();
     finish_start(0, start, solver, smooth_watch);
+    if (!m_options.integrable)
+      return;
 
     const Stopwatch relaxed_watch;
     m_fields[1] = m_fields[0];
