@@ -209,7 +209,7 @@ def problem_of_quads(points, polygons, domain):
         return found
     border = planar_files.border_edges(polygons)
     segments = domain.border()
-    finder = Segment_finder(segments)
+    finder = Segment_finder(domain.fine_border or segments)
     diagonal = domain.diagonal()
     for a, _ in border:
         distance, segment = finder.nearest(points[a])

@@ -32,6 +32,7 @@ class Domain:
         self.points = []
         self.polygons = []
         self.curves = []
+        self.fine_border = []  # of geometry files: the border as short segments
         self.notes = []
         self.problem = None  # what the reader noticed to be wrong with the domain
 
@@ -282,12 +283,13 @@ def read_fluent(path):
 
 def read_geometry(path, gmsh, folder, seconds):
     mesh = os.path.join(folder, "classified.msh")
+    files = [os.path.abspath(path)] + without_fields(path, folder)
 
     def run(*options):
         if os.path.exists(mesh):
             os.remove(mesh)
         try:
-            done = subprocess.run([gmsh, os.path.abspath(path), "-format", "msh41", "-o", mesh, "-v", "2",
+            done = subprocess.run([gmsh] + files + ["-format", "msh41", "-o", mesh, "-v", "2",
                                    "-setnumber", "Mesh.SaveAll", "1", "-setnumber", "Mesh.Binary", "0"] + list(options),
                                   cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, universal_newlines=True, errors="replace",
@@ -296,7 +298,9 @@ def read_geometry(path, gmsh, folder, seconds):
             return "no end within {} s".format(seconds)
         return done.stdout.strip()
 
-    run("-1", "-clmin", "1e20")
+    messages = run("-1", "-clmin", "1e20")
+    errors = [line for line in messages.splitlines() if re.match(r"Error +: .*[a-z]{4}", line) and
+              "Unknown option" not in line]  # of size fields
     entities, _ = read_msh(mesh) if os.path.exists(mesh) else (None, None)
     if not entities or not entities.nodes:
         raise Unreadable("Gmsh finds no curves in it")
@@ -312,6 +316,9 @@ def read_geometry(path, gmsh, folder, seconds):
                    "Mesh.RecombineAll", "0")
     entities, elements = read_msh(mesh) if os.path.exists(mesh) else (None, None)
     domain = Domain("geometry")
+    if errors:
+        domain.problem = "Gmsh cannot read it: " + errors[0]
+        return [domain]
     if not elements or not elements[2]:
         domain.problem = "Gmsh cannot mesh it: " + (messages.splitlines() or ["no message"])[-1]
         return [domain]
@@ -329,7 +336,29 @@ def read_geometry(path, gmsh, folder, seconds):
     for curve, edges in sorted(chains.items()):
         vertices = [edges[0][0]] + [b for _, b in edges]
         domain.curves.append(Curve(curve, [domain.points[v] for v in vertices]))
+    border = {frozenset(edge) for edge in border_edges(domain.polygons)}
+    on_border = {curve for curve, edges in chains.items() if frozenset(edges[0]) in border}
+    run("-1", "-clmin", repr(diagonal / 4000), "-clmax", repr(diagonal / 1000))
+    entities, elements = read_msh(mesh) if os.path.exists(mesh) else (None, None)
+    if elements:
+        domain.fine_border = [(entities.nodes[a][:2], entities.nodes[b][:2]) for curve, (a, b) in elements[1]
+                              if curve in on_border]
     return [domain]
+
+
+def without_fields(path, folder):
+    """A file for Gmsh to read afterwards that takes away the size fields of a .geo file: they do not matter to the
+    domain, and Gmsh crashes on some."""
+    if not path.endswith(".geo"):
+        return []
+    with open(path, encoding="utf-8", errors="replace") as file:
+        fields = sorted(set(re.findall(r"^\s*Field\s*\[\s*(\d+)\s*\]\s*=", file.read(), re.MULTILINE)), key=int)
+    if not fields:
+        return []
+    after = os.path.join(folder, "without_fields.geo")
+    with open(after, "w", encoding="utf-8") as file:
+        file.write("".join("Delete Field [{}];\n".format(field) for field in fields) + "Background Field = -1;\n")
+    return [after]
 
 
 class Entities:

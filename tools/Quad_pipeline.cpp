@@ -12,6 +12,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -55,7 +56,7 @@ double cost(const Seamless_map<Mesh>& map)
 /// Map and quads of one start's field. `result` is filled as far as that gets.
 void mesh_start(const Planar_domain& domain, std::size_t start, const std::vector<Gradient_pair>& gradients,
                 const Seamless_parametrization_options& map_options, const Quad_extraction_options& extraction_options,
-                Quantizer_kind quantizer, Quad_pipeline_result& result)
+                const Chosen_quantizer& quantizer, Quad_pipeline_result& result)
 {
   result.gradients = gradients;
   result.field->chosen = int(start);
@@ -63,9 +64,9 @@ void mesh_start(const Planar_domain& domain, std::size_t start, const std::vecto
   result.field->energy_lie = result.field->starts[start].energy_lie;
   result.field->energy_odeco = result.field->starts[start].energy_odeco;
   result.map = integrate(domain, result.gradients, map_options, result.corner_uv);
-  result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
-                                    domain.region_map(), result.quads, extraction_options, Chosen_quantizer(quantizer),
-                                    Curve_projector(domain));
+  result.extraction =
+      extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
+                    domain.region_map(), result.quads, extraction_options, quantizer, Curve_projector(domain));
 }
 
 /// What a user feels of a mesh (`Quad_pipeline_result::mesh_scores`): skew and errors in units of what is still good, and
@@ -83,6 +84,27 @@ double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_cons
   const Size_error error = measure_size_error(mesh, domain, sizes);
   const double size_error = error.length.mean + (isotropic ? 0 : error.aspect.mean);
   return measure_quality(mesh).skew_mean / 5 + size_error / 0.1 + 0.02 * n_irregular;
+}
+
+/// The starts that may be meshed, by cost: each field once, valid ones before the smooth one, which is only a
+/// reference.
+std::vector<std::size_t> candidates_by_cost(const std::vector<Field_start>& starts,
+                                            const std::vector<std::vector<Gradient_pair>>& candidates, double tolerance)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t i = 1; i < candidates.size(); ++i)
+    if (!candidates[i].empty())
+      order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return starts[a].cost < starts[b].cost; });
+  const auto is_near = [tolerance](double x, double y) { return x == y || std::abs(x - y) <= tolerance * std::abs(x); };
+  std::vector<std::size_t> distinct;
+  for (const std::size_t i : order)
+    if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t j) {
+          return is_near(starts[i].cost, starts[j].cost) && is_near(starts[i].energy, starts[j].energy);
+        }))
+      distinct.push_back(i);
+  return distinct;
 }
 
 } // namespace
@@ -112,14 +134,8 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   result.field = odeco_frame_field(domain.mesh, domain.mesh.points(), vector_map(edge_constraints),
                                    vector_map(result.gradients), field_options, evaluate);
 
-  // The chosen start first, then the others by cost; the smooth field is only a reference.
-  std::vector<std::size_t> order;
-  for (std::size_t i = 1; i < candidates.size(); ++i)
-    if (!candidates[i].empty())
-      order.push_back(i);
   const std::vector<Field_start> starts = result.field->starts;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return starts[a].cost < starts[b].cost; });
+  std::vector<std::size_t> order = candidates_by_cost(starts, candidates, options.same_field_energy);
   if (order.empty()) { // only the smooth field has positive sizes, or is wanted
     order.push_back(0);
     candidates[0] = result.gradients;
@@ -133,16 +149,21 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   std::optional<Quad_pipeline_result> first_failed, best;
   double best_score = std::numeric_limits<double>::infinity();
   std::vector<std::string> rejected;
+  const auto is_good = [&](std::size_t start) {
+    return starts[start].cost <= options.meshed_cost_ratio * starts[order.front()].cost;
+  };
+  const auto n_good = std::min(options.max_meshed_starts, int(std::count_if(order.begin(), order.end(), is_good)));
+  const double seconds = options.quantization_seconds / std::max(1, n_good);
   int n_meshed = 0;
   std::vector<double> scores(starts.size(), -1);
   for (const std::size_t start : order) {
-    if (best && (n_meshed == options.max_meshed_starts ||
-                 starts[start].cost > options.meshed_cost_ratio * starts[order.front()].cost))
+    if (best && n_meshed >= n_good)
       break;
     ++n_meshed;
     Quad_pipeline_result attempt = result;
     try {
-      mesh_start(domain, start, candidates[start], map_options, extraction_options, options.quantizer, attempt);
+      mesh_start(domain, start, candidates[start], map_options, extraction_options,
+                 Chosen_quantizer(options.quantizer, seconds), attempt);
       const double score = scores[start] = mesh_score(domain, constraints, options.field.isotropic, attempt);
       if (score < best_score) {
         best_score = score;

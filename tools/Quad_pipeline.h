@@ -11,19 +11,31 @@
 #include <Quadrille/quad_extraction.h>
 #include <Quadrille/seamless_parametrization.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace Quadrille {
 
+/// Number of starts of the field unless the user says otherwise: fewer on many triangles, where each takes long.
+inline int default_number_of_starts(std::size_t n_triangles)
+{
+  constexpr std::size_t all_up_to = 12500;
+  const int all = Odeco_field_options().starts;
+  return n_triangles <= all_up_to ? all : std::max(2, int(std::size_t(all) * all_up_to / n_triangles));
+}
+
 struct Quad_pipeline_options {
   Odeco_field_options field; ///< its threads are used for the whole pipeline
   Seamless_parametrization_options map;
   Quad_extraction_options extraction;
   Quantizer_kind quantizer = default_quantizer();
-  int max_meshed_starts = 8;      ///< of the starts with the best maps, so many are meshed; the best mesh is kept
-  double meshed_cost_ratio = 1.5; ///< but not those whose cost is more than this times the least
+  double quantization_seconds = 10; ///< what the optimal quantizer should not exceed for all meshed starts together
+  int max_meshed_starts = 8;        ///< of the starts with the best maps, so many are meshed; the best mesh is kept
+  double meshed_cost_ratio = 1.5;   ///< but not those whose cost is more than this times the least
+  double same_field_energy = 1e-4;  ///< relative difference of energies and costs up to which fields are the same one
   const Progress_observer* observer = nullptr;
 };
 

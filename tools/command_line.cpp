@@ -67,7 +67,8 @@ po::options_description quad_options()
   options.add_options()(
       "solver", po::value<Strings>()->value_name("lm|lbfgs|lbfgs-kappa"),
       "Levenberg-Marquardt with melting and freezing (default), or the papers' L-BFGS, for comparisons");
-  options.add_options()("starts", po::value<Strings>()->value_name("N"), "number of starts of the field (default 8)");
+  options.add_options()("starts", po::value<Strings>()->value_name("N"),
+                        "number of starts of the field (default 8, fewer on many triangles)");
   options.add_options()("seed", po::value<Strings>()->value_name("K"), "seed of the starts (default 1)");
   options.add_options()("threads", po::value<Strings>()->value_name("T"), "threads (default 0: all cores)");
   options.add_options()("layout", po::value<Strings>()->value_name("t-mesh|base-complex"),
@@ -206,7 +207,8 @@ Quad_arguments quad_arguments(const Parsed_options& options)
     result.layout = Layout_kind::base_complex;
   for (const std::string& count : options.all("count"))
     result.counts.push_back(parse_count(count));
-  result.starts = options.number("starts", result.starts, 0);
+  if (options.has("starts"))
+    result.starts = options.number("starts", 0, 0);
   result.seed = options.number<std::uint64_t>("seed", result.seed, 0);
   result.threads = options.number("threads", 0, 0);
   result.quiet = options.has("quiet");

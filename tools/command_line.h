@@ -34,7 +34,7 @@ struct Quad_arguments {
   Layout_kind layout = Quad_extraction_options().layout;
   std::vector<Count_request> counts;
   Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
-  int starts = Odeco_field_options().starts;
+  std::optional<int> starts; ///< of the field; otherwise chosen by the number of triangles
   std::uint64_t seed = Odeco_field_options().seed;
   int threads = 0; ///< 0: all cores
   bool quiet = false;

@@ -146,7 +146,7 @@ private:
     options.field.target_size_weight = m_arguments.size_field_weight;
     options.field.impose_target_size = m_arguments.impose_size_field;
     options.field.solver = m_arguments.solver;
-    options.field.starts = m_arguments.starts;
+    options.field.starts = m_arguments.starts.value_or(default_number_of_starts(m_domain.mesh.number_of_faces()));
     options.field.seed = m_arguments.seed;
     options.field.threads = m_arguments.threads;
     options.extraction.layout = m_arguments.layout;

@@ -7,6 +7,9 @@
 #include <Quadrille/Greedy_quantizer.h>
 #include <Quadrille/Optimal_quantizer.h>
 
+#include <algorithm>
+#include <chrono>
+
 namespace Quadrille {
 
 /// `--quantizer`.
@@ -21,16 +24,28 @@ inline Quantizer_kind default_quantizer()
 /// A `Quantizer` that is chosen at run time.
 class Chosen_quantizer {
 public:
-  explicit Chosen_quantizer(Quantizer_kind kind) : m_kind(kind) {}
+  /// `seconds`: limit of the optimal one for all calls together; each has at least four, as one without any improves
+  /// nothing.
+  explicit Chosen_quantizer(Quantizer_kind kind, double seconds = Optimal_quantizer::Options().time_limit)
+      : m_kind(kind), m_seconds_left(seconds)
+  {
+  }
 
   Quantization operator()(const Quad_layout& layout, Length_constraints& constraints) const
   {
-    return m_kind == Quantizer_kind::greedy ? Greedy_quantizer()(layout, constraints)
-                                            : Optimal_quantizer()(layout, constraints);
+    if (m_kind == Quantizer_kind::greedy)
+      return Greedy_quantizer()(layout, constraints);
+    Optimal_quantizer::Options options;
+    options.time_limit = std::max(4.0, m_seconds_left);
+    const auto start = std::chrono::steady_clock::now();
+    Quantization result = Optimal_quantizer(options)(layout, constraints);
+    m_seconds_left -= std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
   }
 
 private:
   Quantizer_kind m_kind;
+  mutable double m_seconds_left;
 };
 
 } // namespace Quadrille

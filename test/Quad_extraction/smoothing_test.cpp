@@ -78,6 +78,43 @@ TEST(Quad_shape_term, jacobian_agrees_with_differences)
     }
 }
 
+TEST(Quad_shape_term, jacobian_of_steps_agrees_with_differences)
+{
+  Indexed_quads quads;
+  quads.points = {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
+  quads.vertices.resize(4);
+  quads.curves.emplace_back(std::vector<Eigen::Vector2d>{{0, 0}, {4, 0}}, false, 0);
+  for (int v = 0; v < 4; ++v) {
+    quads.vertices[std::size_t(v)].chain = 0;
+    quads.vertices[std::size_t(v)].position = v;
+  }
+  using Motion = Quad_shape_term::Motion;
+  const std::vector<Curve_step> steps = {
+      {-1, 1, 0, 0.7}, {1, 2, 0, 1.1}, {2, 3, 0, 0.9}, {2, -1, 4, 1.9}, {-1, 0, 0, 1}};
+  Quad_shape_term term(quads, {Motion::fixed, Motion::on_curve, Motion::on_curve, Motion::fixed}, 0.5, 0.7, 2, steps);
+  ASSERT_EQ(term.number_of_elements(), 4u); // the last step has no end that slides
+  std::array<int, Quad_shape_term::max_unknowns> index;
+  EXPECT_EQ(term.element_unknowns(0, index), 1);
+  EXPECT_EQ(term.element_unknowns(1, index), 2);
+  Quad_shape_term::Residuals r;
+  for (const double eps : {0.0, 0.1, 1.0})
+    for (std::size_t e = 0; e < 4; ++e) {
+      term.set_eps(eps);
+      const int n = term.element_unknowns(e, index);
+      Quad_shape_term::Unknowns local = Quad_shape_term::Unknowns::Zero();
+      for (int i = 0; i < n; ++i)
+        local[i] = term.unknowns()[index[std::size_t(i)]] + 0.1 * i;
+      EXPECT_LT(Quadrille::jacobian_error(term, e, local, 1e-4), 1e-6);
+      if (e != 1)
+        continue;
+      std::swap(local[0], local[1]); // the wrong way round
+      EXPECT_EQ(term.evaluate(e, local, r, nullptr), eps > 0);
+      if (eps > 0) {
+        EXPECT_LT(Quadrille::jacobian_error(term, e, local, 1e-4), 1e-6);
+      }
+    }
+}
+
 TEST(Quad_shape_term, vanishes_for_the_target_alone)
 {
   Indexed_quads quads;
@@ -148,6 +185,35 @@ TEST(Smooth_quads, recovers_the_uniform_grid)
   for (const auto v : mesh.vertices()) {
     EXPECT_NEAR(mesh.point(v).x(), double(v.idx() % 9) / 8, 1e-5);
     EXPECT_NEAR(mesh.point(v).y(), double(v.idx() / 9) / 8, 1e-5);
+  }
+}
+
+TEST(Smooth_quads, gives_up_what_cannot_be_untangled_while_another_part_is_good)
+{
+  Mesh mesh = noisy_grid(6, 0, 1);
+  const unsigned n = unsigned(mesh.number_of_vertices());
+  // A second part, with two neighbours that are fixed in each other's places.
+  const Mesh other = noisy_grid(6, 0, 1);
+  for (const auto v : other.vertices())
+    mesh.add_vertex(other.point(v) + Mesh::Point::R::Vector_2(3, 0));
+  for (const auto f : other.faces()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (const auto v : other.vertices_around_face(other.halfedge(f)))
+      corners.emplace_back(n + unsigned(v));
+    mesh.add_face(corners);
+  }
+  auto fixed = corners_fixed(mesh);
+  const Mesh::Vertex_index a(n + 24), b(n + 25);
+  std::swap(mesh.point(a), mesh.point(b));
+  fixed[a] = fixed[b] = true;
+  for (const auto f : mesh.faces_around_target(mesh.halfedge(a)))
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      fixed[v] = true; // so that nothing can make room
+  const auto report = Quadrille::smooth_quads(mesh, mesh.points(), fixed);
+  EXPECT_GT(report.inverted_quads, 0);
+  for (unsigned v = 0; v < n; ++v) {
+    EXPECT_NEAR(mesh.point(Mesh::Vertex_index(v)).x(), double(v % 7) / 6, 1e-9);
+    EXPECT_NEAR(mesh.point(Mesh::Vertex_index(v)).y(), double(v / 7) / 6, 1e-9);
   }
 }
 

@@ -127,6 +127,25 @@ TEST_F(Program, help_and_version)
   }
 }
 
+TEST_F(Program, meshes_a_gap_far_narrower_than_the_elements)
+{
+  // A disc in a cup. As few elements as the sizes ask for have sides that cut off the gap.
+  const std::string in = write("gap.geo", R"(s = 3;
+Point(1) = {-4, -4, 0, s}; Point(2) = {4, -4, 0, s}; Point(3) = {4, 4, 0, s}; Point(4) = {-4, 4, 0, s};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Point(5) = {0, 0, 0, s}; Point(6) = {1, 0, 0, s}; Point(7) = {-1, 0, 0, s};
+Circle(5) = {6, 5, 7}; Circle(6) = {7, 5, 6};
+Point(8) = {1.05, 0, 0, s}; Point(9) = {1.6, 0, 0, s}; Point(10) = {-1.05, 0, 0, s}; Point(11) = {-1.6, 0, 0, s};
+Point(12) = {0, -1.05, 0, s}; Point(13) = {0, -1.6, 0, s};
+Circle(7) = {8, 5, 12}; Circle(8) = {12, 5, 10}; Line(9) = {10, 11};
+Circle(10) = {11, 5, 13}; Circle(11) = {13, 5, 9}; Line(12) = {9, 8};
+Curve Loop(1) = {1:4}; Curve Loop(2) = {5, 6}; Curve Loop(3) = {7:12};
+Plane Surface(1) = {1, 2, 3};
+)");
+  ASSERT_EQ(run({"quad", in, "-o", path("out/gap.msh"), "--starts", "1"}), 0) << m_error;
+  EXPECT_EQ(run({"check", path("out/gap.msh"), "--against", in}), 0) << m_output << m_error;
+}
+
 TEST_F(Program, unusable_arguments)
 {
   const std::string in = square(), out = path("out/a.msh");

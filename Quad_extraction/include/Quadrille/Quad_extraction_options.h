@@ -26,7 +26,7 @@ struct Quad_extraction_options {
   double kink_degrees = 50;         ///< vertices where a curve turns by more than this become vertices of the quads
   std::size_t max_quads = 20000000; ///< more are refused
   std::size_t max_trace_steps = 0;  ///< triangles that a separatrix may cross; 0: 4 times their number + 1000
-  int max_refinements = 3;          ///< times that patches with inverted quads get more quads before giving up
+  int max_refinements = 6;          ///< times that patches too coarse for the domain get more quads before giving up
   int threads = 1;                  ///< 0: all cores; the result does not depend on it
   Quad_smoothing_options smoothing; ///< its threads and observer are replaced by those here
   const Progress_observer* observer = nullptr; ///< stages "layout", "quantization", "mesh"

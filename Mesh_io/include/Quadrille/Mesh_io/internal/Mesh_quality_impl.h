@@ -6,8 +6,8 @@
 
 #include <Quadrille/Curve_locator.h>
 #include <Quadrille/Mesh_io/internal/check_triangles.h>
-#include <Quadrille/Mesh_io/internal/segment_intersections.h>
 #include <Quadrille/Mesh_quality.h>
+#include <Quadrille/Support/internal/segment_intersections.h>
 
 #include <CGAL/number_utils.h>
 

@@ -5,7 +5,7 @@
 #define QUADRILLE_MESH_IO_INTERNAL_OUTLINE_H
 
 #include <Quadrille/Labelled_mesh.h>
-#include <Quadrille/Mesh_io/internal/segment_intersections.h>
+#include <Quadrille/Support/internal/segment_intersections.h>
 
 #include <algorithm>
 #include <array>

@@ -46,7 +46,7 @@ public:
   {
     const double max_triangles =
         std::max(double(m_options.max_triangles), 3 * 2.31 * m_region.area() / (m_largest * m_largest));
-    for (const double ratio : {500.0, 120.0, 40.0, 15.0, 6.0}) {
+    for (const double ratio : {500.0, 120.0, 40.0, 15.0, 6.0, 3.0, 1.5}) {
       m_smallest = m_largest / ratio;
       m_sources.clear();
       m_samples.clear();

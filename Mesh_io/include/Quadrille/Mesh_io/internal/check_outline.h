@@ -7,7 +7,7 @@
 #include <Quadrille/Mesh_io/internal/Outline.h>
 #include <Quadrille/Mesh_io/internal/Segment_mesher.h>
 #include <Quadrille/Mesh_io/internal/check_triangles.h>
-#include <Quadrille/Mesh_io/internal/segment_intersections.h>
+#include <Quadrille/Support/internal/segment_intersections.h>
 
 #include <array>
 #include <map>

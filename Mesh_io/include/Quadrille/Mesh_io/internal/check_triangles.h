@@ -5,8 +5,8 @@
 #define QUADRILLE_MESH_IO_INTERNAL_CHECK_TRIANGLES_H
 
 #include <Quadrille/Labelled_mesh.h>
-#include <Quadrille/Mesh_io/internal/segment_intersections.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
+#include <Quadrille/Support/internal/segment_intersections.h>
 #include <Quadrille/exceptions.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_SPLIT_CHORDS_H
 #define QUADRILLE_MESH_IO_INTERNAL_SPLIT_CHORDS_H
 
-#include <Quadrille/Mesh_io/internal/segment_intersections.h>
+#include <Quadrille/Support/internal/segment_intersections.h>
 
 #include <CGAL/number_utils.h>
 

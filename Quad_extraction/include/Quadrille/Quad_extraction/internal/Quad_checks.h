@@ -6,10 +6,12 @@
 
 #include <Quadrille/Quad_extraction/internal/Indexed_quads.h>
 #include <Quadrille/Quad_extraction/internal/Seamless_map.h>
+#include <Quadrille/Support/internal/segment_intersections.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -82,11 +84,42 @@ public:
                                           std::to_string(at(m_quads.vertices, v).quadrants) + " right angles");
   }
 
+  /// Convex quads and a border that does not meet itself: then the quads do not overlap.
   void check_geometry() const
   {
     for (int q = 0; q < size_of(m_quads.quads); ++q)
       if (!is_convex(m_quads.points, at(m_quads.quads, q)))
-        fail(q, "has a corner that is not strictly convex");
+        fail(q, "has a corner that is not strictly convex; smaller elements there may help");
+    const std::vector<int> edges = conflicting_border_edges();
+    if (edges.empty())
+      return;
+    const Indexed_quads::Curve_edge& edge = at(m_quads.curve_edges, edges.front());
+    const Eigen::Vector2d center = (at(m_quads.points, edge.source) + at(m_quads.points, edge.target)) / 2;
+    throw No_result_error("mesh", "the element's straight side on curve " + std::to_string(edge.curve) + " near (" +
+                                      std::to_string(center.x()) + ", " + std::to_string(center.y()) +
+                                      ") meets another part of the border: the elements are too large for a gap there; "
+                                      "ask for smaller ones");
+  }
+
+  /// Edges of `curve_edges` on the border that meet another one elsewhere than in a common end, in order. Exact.
+  std::vector<int> conflicting_border_edges() const
+  {
+    std::vector<Segment_kernel::Point_2> points;
+    for (const Eigen::Vector2d& p : m_quads.points)
+      points.emplace_back(p.x(), p.y());
+    std::vector<Numbered_segment> segments;
+    std::vector<int> index;
+    for (int e = 0; e < size_of(m_quads.curve_edges); ++e)
+      if (at(m_quads.curve_edges, e).border) {
+        segments.push_back({{at(m_quads.curve_edges, e).source, at(m_quads.curve_edges, e).target}});
+        index.push_back(e);
+      }
+    std::set<int> found;
+    visit_close_segments(points, segments, [&](std::size_t i, std::size_t j) {
+      if (segments_conflict(points, segments[i], segments[j]))
+        found.insert({index[i], index[j]});
+    });
+    return {found.begin(), found.end()};
   }
 
   /// Valence -> number of interior vertices other than 4.

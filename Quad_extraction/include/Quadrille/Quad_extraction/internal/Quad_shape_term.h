@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -20,7 +21,17 @@
 namespace Quadrille {
 namespace internal::extraction {
 
-/// The untangling energy of quads with rectangular target shapes, as a `LeastSquaresTerm` with one element per quad.
+/// From one vertex of a curve to the next one; a vertex -1 is an end of the curve.
+struct Curve_step {
+  int source = -1;
+  int target = -1;
+  double offset =
+      0; ///< arc length of the curve's end or turn, to be added to that of the target minus that of the source
+  double length = 1; ///< what is wanted
+};
+
+/// The untangling energy of quads with rectangular target shapes, as a `LeastSquaresTerm` with one element per quad and
+/// one per step on a curve.
 ///
 /// For each corner of a quad, J is the linear map that takes the target's corner to the actual one, det its
 /// determinant and chi = (det + sqrt(eps^2 + det^2)) / 2 its regularised value. Garanzha et al., "Foldover-free maps in
@@ -29,6 +40,9 @@ namespace internal::extraction {
 /// dropping it penalises inverted corners more), the sum of squares of (J00 - J11, J01 + J10, sqrt(theta) (1 - det)) /
 /// sqrt(chi): residuals that vanish for the target shape, so that Gauss-Newton steps converge fast. A fourth one,
 /// sqrt(omega) (column 0 . column 1 of J) / chi, asks for right angles more than for the targets' aspect ratios.
+///
+/// A step of length d times the wanted one has the residual (1 - d) / sqrt(chi(d)): quads alone would let vertices that
+/// are not yet in place pass each other, or leave the curve at its ends, and not find back.
 ///
 /// Unknowns: two coordinates of a free vertex, the arc length of a vertex on a curve, none of a fixed one; all in units
 /// of a given length.
@@ -43,11 +57,15 @@ public:
 
   enum class Motion : char { fixed, on_curve, free };
 
-  /// \pre `quads` outlives the term; `motion` by vertex. Its points are the positions of fixed vertices.
-  Quad_shape_term(const Indexed_quads& quads, std::vector<Motion> motion, double unit, double theta, double omega)
+  /// \pre `quads` outlives the term; `motion` by vertex. Its points are the positions of fixed vertices. Of `steps`,
+  /// those between vertices that slide count.
+  Quad_shape_term(const Indexed_quads& quads, std::vector<Motion> motion, double unit, double theta, double omega,
+                  const std::vector<Curve_step>& steps = {})
       : m_quads(&quads), m_motion(std::move(motion)), m_first(m_motion.size(), -1), m_unit(unit),
         m_sqrt_theta(std::sqrt(theta)), m_sqrt_omega(std::sqrt(omega))
   {
+    std::copy_if(steps.begin(), steps.end(), std::back_inserter(m_steps),
+                 [this](const Curve_step& step) { return slides(step.source) || slides(step.target); });
     for (std::size_t v = 0; v < m_motion.size(); ++v)
       if (m_motion[v] != Motion::fixed) {
         m_first[v] = m_n_unknowns;
@@ -106,16 +124,23 @@ public:
   double min_determinant(const Eigen::VectorXd& x) const
   {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t q = 0; q < number_of_elements(); ++q)
+    for (std::size_t q = 0; q < m_quads->quads.size(); ++q)
       least = std::min(least, min_determinant(q, x));
     return least;
   }
 
-  std::size_t number_of_elements() const { return m_quads->quads.size(); }
+  /// The quads, then the steps.
+  std::size_t number_of_elements() const { return m_quads->quads.size() + m_steps.size(); }
 
   int element_unknowns(std::size_t q, std::array<int, max_unknowns>& index) const
   {
     int n = 0;
+    if (q >= m_quads->quads.size()) {
+      for (const int v : step_ends(q))
+        if (slides(v))
+          index[std::size_t(n++)] = at(m_first, v);
+      return n;
+    }
     for (const int v : m_quads->quads[q])
       for (int d = 0; d < dimension(v); ++d)
         index[std::size_t(n++)] = at(m_first, v) + d;
@@ -124,6 +149,8 @@ public:
 
   bool evaluate(std::size_t q, const Unknowns& x, Residuals& r, Jacobian* jacobian) const
   {
+    if (q >= m_quads->quads.size())
+      return evaluate_step(q, x, r, jacobian);
     std::array<Point, 4> p;
     std::array<Point, 4> tangent = {};
     std::array<int, 4> column = {};
@@ -147,7 +174,7 @@ public:
       const double root = std::sqrt(m_eps * m_eps + det * det);
       if (m_eps == 0 && !(det > 0))
         return false;
-      const double chi = det > 0 ? (det + root) / 2 : m_eps * m_eps / (2 * (root - det));
+      const double chi = regularised(det, root);
       const double scale = 0.5 / std::sqrt(chi); // four corners share a quad's weight
       const double angle_scale = 0.5 * m_sqrt_omega / chi;
       const Eigen::Vector4d residual(scale * (J(0, 0) - J(1, 1)), scale * (J(0, 1) + J(1, 0)),
@@ -184,6 +211,48 @@ public:
   }
 
 private:
+  /// chi, for root = sqrt(eps^2 + det^2).
+  double regularised(double det, double root) const
+  {
+    return det > 0 ? (det + root) / 2 : m_eps * m_eps / (2 * (root - det));
+  }
+
+  bool slides(int v) const { return v >= 0 && at(m_motion, v) == Motion::on_curve; }
+
+  std::array<int, 2> step_ends(std::size_t element) const
+  {
+    const Curve_step& step = m_steps[element - m_quads->quads.size()];
+    return {step.source, step.target};
+  }
+
+  bool evaluate_step(std::size_t element, const Unknowns& x, Residuals& r, Jacobian* jacobian) const
+  {
+    const Curve_step& step = m_steps[element - m_quads->quads.size()];
+    int n = 0;
+    const auto position = [&](int v) {
+      return slides(v) ? x[n++] : v >= 0 ? at(m_quads->vertices, v).position / m_unit : 0;
+    };
+    const double start = position(step.source);
+    const double length = step.length / m_unit;
+    const double d = (position(step.target) - start + step.offset / m_unit) / length;
+    const double root = std::sqrt(m_eps * m_eps + d * d);
+    if (m_eps == 0 && !(d > 0))
+      return false;
+    const double scale = 1 / std::sqrt(regularised(d, root));
+    r.setZero();
+    r[0] = scale * (1 - d);
+    if (!jacobian)
+      return true;
+    jacobian->setZero();
+    const double rate = -(scale + 0.5 * r[0] / root) / length;
+    n = 0;
+    if (slides(step.source))
+      (*jacobian)(0, n++) = -rate;
+    if (slides(step.target))
+      (*jacobian)(0, n) = rate;
+    return true;
+  }
+
   int dimension(int v) const
   {
     return at(m_motion, v) == Motion::free ? 2 : at(m_motion, v) == Motion::on_curve ? 1 : 0;
@@ -212,6 +281,7 @@ private:
   }
 
   const Indexed_quads* m_quads;
+  std::vector<Curve_step> m_steps;
   std::vector<Motion> m_motion;
   std::vector<int> m_first; ///< by vertex: its first unknown
   int m_n_unknowns = 0;

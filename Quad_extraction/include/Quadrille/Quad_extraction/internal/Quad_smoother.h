@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,14 +31,16 @@ public:
     for (const auto& target : quads.target)
       sum += target[0] + target[1];
     m_unit = std::exp2(std::round(std::log2(sum / (2 * double(quads.target.size())))));
+    find_steps();
   }
 
   /// Vertices on curves slide; then they are put on the polylines (where `project(curve, point)` takes them, if the
-  /// quads stay valid), and the others adapt.
+  /// quads stay valid), and the others adapt. Quads that cannot be untangled are left where the attempt ended.
   template <class Projector> Quad_smoothing_report run(const Projector& project)
   {
     fit_targets_to_area();
-    optimize(motions(true), m_options.max_iterations);
+    if (!optimize(motions(true), m_options.max_iterations))
+      return m_report; // with vertices that cannot even slide it would be harder
     const std::vector<Point> smooth = m_quads.points;
     for (int v = 0; v < size_of(m_quads.vertices); ++v)
       if (at(m_quads.vertices, v).chain >= 0)
@@ -50,6 +53,38 @@ public:
   }
 
 private:
+  /// The steps between neighbours on each curve. Wanted are the lengths that they have, but no very short ones.
+  void find_steps()
+  {
+    constexpr double least = 0.1; // of the mean one
+    std::vector<std::vector<int>> on_curve(m_quads.curves.size());
+    for (int v = 0; v < size_of(m_quads.vertices); ++v)
+      if (at(m_quads.vertices, v).chain >= 0)
+        at(on_curve, at(m_quads.vertices, v).chain).push_back(v);
+    for (int c = 0; c < size_of(on_curve); ++c) {
+      std::vector<int>& order = at(on_curve, c);
+      if (order.empty())
+        continue;
+      const auto position = [this](int v) { return at(m_quads.vertices, v).position; };
+      std::stable_sort(order.begin(), order.end(), [&](int v, int w) { return position(v) < position(w); });
+      const Polyline_curve& curve = at(m_quads.curves, c);
+      const double mean = curve.length() / double(order.size() + (curve.is_closed() ? 0 : 1));
+      const auto add = [&](int source, int target, double offset) {
+        const double length = (target < 0 ? 0 : position(target)) - (source < 0 ? 0 : position(source)) + offset;
+        m_steps.push_back({source, target, offset, std::max(length, least * mean)});
+      };
+      for (std::size_t i = 1; i < order.size(); ++i)
+        add(order[i - 1], order[i], 0);
+      if (curve.is_closed()) {
+        if (order.size() > 1)
+          add(order.back(), order.front(), curve.length());
+        continue;
+      }
+      add(-1, order.front(), 0);
+      add(order.back(), -1, curve.length());
+    }
+  }
+
   std::vector<Motion> motions(bool slide) const
   {
     std::vector<Motion> motion;
@@ -94,13 +129,14 @@ private:
       target = {factor * target[0], factor * target[1]};
   }
 
-  void optimize(const std::vector<Motion>& motion, int max_iterations)
+  /// Returns false if there are quads that cannot be untangled.
+  bool optimize(const std::vector<Motion>& motion, int max_iterations)
   {
     if (!untangle(motion))
-      return;
+      return false;
     Quad_shape_term term(m_quads, motion, m_unit, m_options.size_weight, m_options.angle_weight);
     if (term.number_of_unknowns() == 0)
-      return;
+      return true;
     Eigen::VectorXd x = term.unknowns();
     Element_least_squares<Quad_shape_term> problem(term, std::size_t(term.number_of_unknowns()), m_options.threads);
     Levenberg_marquardt_options options = minimizer_options();
@@ -110,6 +146,7 @@ private:
     m_report.iterations += report.iterations;
     m_report.energy = report.energy;
     term.store(x, m_quads);
+    return report.status != Minimization_status::outside_domain;
   }
 
   Levenberg_marquardt_options minimizer_options() const
@@ -120,47 +157,73 @@ private:
     return options;
   }
 
-  /// Makes all corners positive, if need be, by moving only vertices near inverted quads, in growing neighbourhoods:
-  /// there the few inverted quads dominate the energy. Returns false, and moves nothing, if that does not help.
+  /// Makes all corners positive, if need be, by moving only vertices near inverted quads: there the few inverted quads
+  /// dominate the energy. Places that are apart are untangled one by one; where that does not help, a larger
+  /// neighbourhood is tried, going on from where the last attempt ended. Returns false if that does not help, either.
   bool untangle(const std::vector<Motion>& motion)
   {
-    for (int rings = 3;; rings *= 2) {
-      Indexed_quads local = m_quads;
-      const bool everything = select_around_inverted(motion, rings, local);
-      if (local.quads.empty() || untangle(local, motion_inside(local, motion)))
-        return true;
-      if (everything)
-        return false;
+    constexpr int first_rings = 3;
+    constexpr int growth = 4;
+    const Quad_shape_term all(m_quads, motion, m_unit, 1, 0);
+    all.store(all.unknowns(), m_quads); // sliding vertices onto the smooth curves
+    for (int rings = first_rings;; rings *= growth) {
+      const std::vector<std::vector<int>> places = places_around_inverted(motion, rings);
+      bool done = true;
+      for (const std::vector<int>& place : places) {
+        Indexed_quads local = m_quads;
+        local.quads.clear();
+        local.target.clear();
+        for (const int q : place) {
+          local.quads.push_back(at(m_quads.quads, q));
+          local.target.push_back(at(m_quads.target, q));
+        }
+        done = untangle(local, motion_inside(local, motion)) && done;
+      }
+      if (done || rings * growth > m_options.max_untangling_rings)
+        return done;
     }
   }
 
-  /// Leaves the quads within `rings` rings around those with corners that are not positive. Returns whether this is
-  /// all.
-  bool select_around_inverted(const std::vector<Motion>& motion, int rings, Indexed_quads& local) const
+  /// The quads within `rings` rings around those with corners that are not positive, by connected sets.
+  std::vector<std::vector<int>> places_around_inverted(const std::vector<Motion>& motion, int rings) const
   {
     const Quad_shape_term term(m_quads, motion, m_unit, 1, 0);
     const Eigen::VectorXd x = term.unknowns();
-    std::vector<char> selected(m_quads.quads.size(), 0);
-    for (std::size_t q = 0; q < selected.size(); ++q)
-      selected[q] = term.min_determinant(q, x) > 0 ? 0 : 1;
-    for (int ring = 0; ring < rings; ++ring) {
-      std::vector<char> touched(m_quads.vertices.size(), 0);
-      for (std::size_t q = 0; q < selected.size(); ++q)
-        if (selected[q])
-          for (const int v : m_quads.quads[q])
-            at(touched, v) = 1;
-      for (std::size_t q = 0; q < selected.size(); ++q)
-        for (const int v : m_quads.quads[q])
-          selected[q] = selected[q] || at(touched, v) ? 1 : 0;
-    }
-    local.quads.clear();
-    local.target.clear();
-    for (std::size_t q = 0; q < selected.size(); ++q)
-      if (selected[q]) {
-        local.quads.push_back(m_quads.quads[q]);
-        local.target.push_back(m_quads.target[q]);
+    std::vector<int> inverted;
+    for (int q = 0; q < size_of(m_quads.quads); ++q)
+      if (!(term.min_determinant(std::size_t(q), x) > 0))
+        inverted.push_back(q);
+    std::vector<std::vector<int>> places;
+    if (inverted.empty())
+      return places;
+    std::vector<std::vector<int>> quads_at(m_quads.vertices.size());
+    for (int q = 0; q < size_of(m_quads.quads); ++q)
+      for (const int v : at(m_quads.quads, q))
+        at(quads_at, v).push_back(q);
+    // Breadth first, `may_visit` once per quad; returns what was visited.
+    const auto spread = [&](std::vector<int> found, int max_rings, const auto& may_visit) {
+      std::size_t begin = 0;
+      for (int ring = 0; ring < max_rings && begin < found.size(); ++ring) {
+        const std::size_t end = found.size();
+        for (; begin < end; ++begin)
+          for (const int v : at(m_quads.quads, found[begin]))
+            for (const int q : at(quads_at, v))
+              if (may_visit(q))
+                found.push_back(q);
       }
-    return local.quads.size() == m_quads.quads.size();
+      return found;
+    };
+    std::vector<char> selected(m_quads.quads.size(), 0);
+    for (const int q : inverted)
+      at(selected, q) = 1;
+    spread(inverted, rings, [&selected](int q) { return std::exchange(at(selected, q), char(1)) == 0; });
+    for (const int q : inverted)
+      if (std::exchange(at(selected, q), char(0)) != 0) {
+        places.push_back(spread({q}, std::numeric_limits<int>::max(),
+                                [&selected](int other) { return std::exchange(at(selected, other), char(0)) != 0; }));
+        std::sort(places.back().begin(), places.back().end());
+      }
+    return places;
   }
 
   /// Vertices that have quads outside `local` are kept.
@@ -179,10 +242,12 @@ private:
     return motion;
   }
 
-  /// Lowers eps by the rule of Garanzha et al. (2021, Section 3) until all corners of `local` are positive.
+  /// Lowers eps by the rule of Garanzha et al. (2021, Section 3) until all corners of `local` are positive. Gives up
+  /// when the least determinant has not come nearer to 0 for a while: then something is in the way that no motion of
+  /// these vertices removes. (It creeps towards 0 in vain as well, because eps does; the number of rounds ends that.)
   bool untangle(const Indexed_quads& local, const std::vector<Motion>& motion)
   {
-    Quad_shape_term term(local, motion, m_unit, m_options.size_weight, m_options.angle_weight);
+    Quad_shape_term term(local, motion, m_unit, m_options.size_weight, m_options.angle_weight, m_steps);
     if (term.number_of_unknowns() == 0)
       return false;
     Eigen::VectorXd x = term.unknowns();
@@ -190,8 +255,14 @@ private:
     Levenberg_marquardt_options options = minimizer_options();
     options.max_iterations = m_options.untangling_iterations;
     options.relative_decrease = 1e-4;
+    // At least so much of eps goes in a round; more than the 0.1 of the source, since each round is solved well.
+    constexpr double least_decrease = 0.3;
+    constexpr double noticeable = 0.9;
+    constexpr int patience = 12;
     double eps = 1;
-    for (int i = 0; i < m_options.untangling_rounds; ++i) {
+    double best = -std::numeric_limits<double>::infinity();
+    int stalled = 0;
+    for (int i = 0; i < m_options.untangling_rounds && stalled < patience; ++i) {
       term.set_eps(eps);
       const Minimization_report report = minimize_levenberg_marquardt(problem, x, options);
       m_report.untangling_iterations += report.iterations;
@@ -200,16 +271,22 @@ private:
         term.store(x, m_quads);
         return true;
       }
-      const double decrease = std::max(1 - report.energy / report.initial_energy, 0.1);
+      stalled = least > noticeable * best ? 0 : stalled + 1;
+      best = std::max(best, least);
+      const double decrease = std::max(1 - report.energy / report.initial_energy, least_decrease);
       const double root = std::sqrt(least * least + eps * eps);
       eps *= 1 - decrease * root / (std::abs(least) + root);
     }
+    term.store(x, m_quads);
     return false;
   }
 
-  /// Moves vertices one after another, each only if its quads keep positive corners.
+  /// Moves vertices one after another, each only if its quads keep positive corners; none if the border then meets
+  /// itself.
   template <class Projector> void project_onto_curves(const Projector& project)
   {
+    const std::vector<Point> on_polylines = m_quads.points;
+    int n_moved = 0;
     std::vector<std::vector<int>> quads_of(m_quads.vertices.size());
     for (int q = 0; q < size_of(m_quads.quads); ++q)
       for (const int v : at(m_quads.quads, q))
@@ -228,13 +305,20 @@ private:
       if (!after.allFinite() || !valid) {
         at(m_quads.points, v) = before;
         ++m_report.unprojected_vertices;
+      } else {
+        ++n_moved;
       }
     }
+    if (n_moved == 0 || Quad_checks(m_quads).conflicting_border_edges().empty())
+      return;
+    m_quads.points = on_polylines;
+    m_report.unprojected_vertices += n_moved;
   }
 
   Indexed_quads& m_quads;
   Quad_smoothing_options m_options;
   double m_unit = 1;
+  std::vector<Curve_step> m_steps;
   Quad_smoothing_report m_report;
 };
 

@@ -12,10 +12,10 @@
 #include <Quadrille/Quad_extraction/internal/Quad_assembly.h>
 #include <Quadrille/Quad_extraction/internal/Quad_checks.h>
 #include <Quadrille/Quad_extraction/internal/Quad_smoother.h>
+#include <Quadrille/Quad_extraction/internal/refine_patches.h>
 #include <Quadrille/Quad_extraction_options.h>
 
 #include <cmath>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,22 +120,6 @@ inline void judge_quantization(const Quad_extraction_options& options, Quad_extr
   if (after > double(options.max_quads))
     throw No_result_error("quantization", "the mesh would have " + std::to_string(after) +
                                               " quads; ask for larger elements or raise max_quads");
-}
-
-/// Asks for one more quad in both directions in every patch with an inverted quad. Returns false if there is none.
-inline bool refine_patches(const Indexed_quads& quads, const Quad_layout& layout, const std::vector<int>& lengths,
-                           Length_constraints& constraints)
-{
-  std::set<int> patches;
-  for (int q = 0; q < size_of(quads.quads); ++q)
-    if (!is_convex(quads.points, at(quads.quads, q)))
-      patches.insert(at(quads.patch, q));
-  for (const int p : patches)
-    for (std::size_t side = 0; side < 2; ++side) {
-      const std::vector<int> arcs = arcs_of(at(layout.patches, p).sides[side]);
-      constraints.require({arcs, static_cast<int>(sum_of(arcs, lengths)) + 1});
-    }
-  return !patches.empty();
 }
 
 /// From index arrays to a quad mesh as index arrays; `extract_quads` without CGAL.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef QUADRILLE_MESH_IO_INTERNAL_SEGMENT_INTERSECTIONS_H
-#define QUADRILLE_MESH_IO_INTERNAL_SEGMENT_INTERSECTIONS_H
+#ifndef QUADRILLE_SUPPORT_INTERNAL_SEGMENT_INTERSECTIONS_H
+#define QUADRILLE_SUPPORT_INTERNAL_SEGMENT_INTERSECTIONS_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
@@ -42,10 +42,11 @@ inline bool segments_conflict(const std::vector<Segment_kernel::Point_2>& points
                             Segment_kernel::Segment_2(at(t.ends[0]), at(t.ends[1])));
 }
 
-/// The pair of conflicting segments with the smallest indices, if there is one. Complexity: O(n log n + boxes that
-/// overlap).
-inline std::optional<std::pair<std::size_t, std::size_t>>
-find_segment_conflict(const std::vector<Segment_kernel::Point_2>& points, const std::vector<Numbered_segment>& segments)
+/// Calls `visit(i, j)`, i < j, for all pairs of segments whose boxes meet, in any order. Complexity: O(n log n +
+/// pairs).
+template <class Visitor>
+void visit_close_segments(const std::vector<Segment_kernel::Point_2>& points,
+                          const std::vector<Numbered_segment>& segments, const Visitor& visit)
 {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
   std::vector<Box> boxes;
@@ -53,10 +54,19 @@ find_segment_conflict(const std::vector<Segment_kernel::Point_2>& points, const 
   for (std::size_t i = 0; i < segments.size(); ++i)
     boxes.emplace_back(
         points[std::size_t(segments[i].ends[0])].bbox() + points[std::size_t(segments[i].ends[1])].bbox(), i);
-  std::optional<std::pair<std::size_t, std::size_t>> found;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    const std::pair<std::size_t, std::size_t> pair = std::minmax({a.info(), b.info()});
-    if ((!found || pair < *found) && segments_conflict(points, segments[pair.first], segments[pair.second]))
+    visit(std::min(a.info(), b.info()), std::max(a.info(), b.info()));
+  });
+}
+
+/// The pair of conflicting segments with the smallest indices, if there is one.
+inline std::optional<std::pair<std::size_t, std::size_t>>
+find_segment_conflict(const std::vector<Segment_kernel::Point_2>& points, const std::vector<Numbered_segment>& segments)
+{
+  std::optional<std::pair<std::size_t, std::size_t>> found;
+  visit_close_segments(points, segments, [&](std::size_t i, std::size_t j) {
+    const std::pair<std::size_t, std::size_t> pair(i, j);
+    if ((!found || pair < *found) && segments_conflict(points, segments[i], segments[j]))
       found = pair;
   });
   return found;
