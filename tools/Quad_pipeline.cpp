@@ -69,8 +69,8 @@ void mesh_start(const Planar_domain& domain, std::size_t start, const std::vecto
                     domain.region_map(), result.quads, extraction_options, quantizer, Curve_projector(domain));
 }
 
-/// What a user feels of a mesh (`Quad_pipeline_result::mesh_scores`): skew and errors in units of what is still good, and
-/// an irregular vertex like a tenth of a degree of skew.
+/// What a user feels of a mesh (`Quad_pipeline_result::mesh_scores`): skew and errors in units of what is still good,
+/// and an irregular vertex like a tenth of a degree of skew.
 double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints, bool isotropic,
                   const Quad_pipeline_result& result)
 {

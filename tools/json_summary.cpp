@@ -112,12 +112,9 @@ void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Js
       json["chosen"] = {{"start", field.chosen}, {"kind", name_of(chosen->kind)}, {"seed", chosen->seed}};
     for (std::size_t i = 0; i < field.starts.size(); ++i) {
       const Field_start& start = field.starts[i];
-      Json candidate = {{"kind", name_of(start.kind)},
-                        {"seed", start.seed},
-                        {"energy", start.energy},
-                        {"size_deviation", start.size_deviation},
-                        {"cost", start.cost},
-                        {"seconds", start.seconds}};
+      Json candidate = {{"kind", name_of(start.kind)}, {"seed", start.seed},
+                        {"energy", start.energy},      {"size_deviation", start.size_deviation},
+                        {"cost", start.cost},          {"seconds", start.seconds}};
       if (i < result.mesh_scores.size() && result.mesh_scores[i] >= 0)
         candidate["mesh_score"] = result.mesh_scores[i];
       json["candidates"].push_back(std::move(candidate));

@@ -50,7 +50,8 @@ template <class Term> void expect_equal_batches(const Term& term, const std::vec
     const auto columns = J.leftCols(count);
     EXPECT_NEAR(results[e].energy, 0.5 * r.squaredNorm(), 1e-12 * r.squaredNorm());
     EXPECT_LT((results[e].gradient.head(count) - columns.transpose() * r).norm(), 1e-12 * J.norm() * r.norm());
-    const Eigen::MatrixXd matrix = results[e].matrix.topLeftCorner(count, count).template selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd matrix =
+        results[e].matrix.topLeftCorner(count, count).template selfadjointView<Eigen::Lower>();
     EXPECT_LT((matrix - columns.transpose() * columns).norm(), 1e-12 * J.squaredNorm());
     Element_contribution<n> alone;
     ASSERT_TRUE(term.evaluate_batch(e, 1, &x[e], Detail::gradient, &alone));

@@ -104,8 +104,8 @@ public:
   /// No vertex of the element is restricted.
   bool is_free(std::size_t e) const { return m_is_free[e]; }
 
-  /// The field on the elements from `first` on, as many as `S` has lanes, with their unknowns `x`. Lanes from `count` on
-  /// repeat the last element.
+  /// The field on the elements from `first` on, as many as `S` has lanes, with their unknowns `x`. Lanes from `count`
+  /// on repeat the last element.
   template <class S> void load(std::size_t first, int count, const Unknowns* x, Triangle_values<S, N>& values) const
   {
     constexpr int lanes = int(sizeof(S) / sizeof(double));
@@ -130,8 +130,7 @@ public:
   }
 
   /// Derivatives by the unknowns from those by the coefficients of the corners (columns k N ... k N + N - 1).
-  template <class Matrix>
-  void restrict_columns(std::size_t e, const Matrix& by_coefficients, Matrix& by_unknowns) const
+  template <class Matrix> void restrict_columns(std::size_t e, const Matrix& by_coefficients, Matrix& by_unknowns) const
   {
     int place = 0;
     for (int k = 0; k < 3; ++k) {

@@ -23,8 +23,8 @@ template <int N, Field_energy_kind kind> struct Field_energy_rows {
   static constexpr int count = first_size + (integrable ? Pieces::points + (N == 5 ? 2 : 0) : 0);
 };
 
-/// The normalised energies of planar-2: linear triangles, three-point quadrature. Half the squared norm of the residuals
-/// is the energy.
+/// The normalised energies of planar-2: linear triangles, three-point quadrature. Half the squared norm of the
+/// residuals is the energy.
 template <int N, Field_energy_kind kind>
 class Field_energy : public Triangle_energy<Field_energy<N, kind>, N, Field_energy_rows<N, kind>::count> {
   using Base = Triangle_energy<Field_energy<N, kind>, N, Field_energy_rows<N, kind>::count>;
@@ -76,8 +76,7 @@ private:
   template <class S, class Rows> void add_size_attraction(const Triangle_values<S, N>& triangle, Rows& rows) const
   {
     const auto& elements = this->elements();
-    const double target_density =
-        elements.has_targets() ? m_target_attraction / (3 * elements.target_area()) : 0.;
+    const double target_density = elements.has_targets() ? m_target_attraction / (3 * elements.target_area()) : 0.;
     const double density = m_size_attraction / (3 * elements.total_area());
     if (density == 0 && target_density == 0) {
       rows.template skip<Pieces::points>();

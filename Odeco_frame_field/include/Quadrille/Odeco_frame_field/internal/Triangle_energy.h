@@ -88,8 +88,7 @@ protected:
 private:
   const Energy& energy() const { return static_cast<const Energy&>(*this); }
 
-  template <class Rows>
-  bool keep_gradients(std::size_t first, int count, const Rows& rows, Contribution* results) const
+  template <class Rows> bool keep_gradients(std::size_t first, int count, const Rows& rows, Contribution* results) const
   {
     const Pack energies = rows.energy();
     const Tuple<Pack, max_unknowns> gradients = rows.gradient();

@@ -13,8 +13,8 @@ namespace internal {
 template <class S, int N> struct Triangle_values {
   Tuple<Tuple<S, N>, 3> coefficients; ///< at the corners
   Tuple<Tuple<S, 3>, 2> gradient;     ///< of the three linear shape functions, along x and y
-  S root_area; ///< square root of the area
-  S size; ///< local triangle size, the unit of epsilon
+  S root_area;                        ///< square root of the area
+  S size;                             ///< local triangle size, the unit of epsilon
   Tuple<S, 3> expected_log_size, target_weight;
 
   /// Mean of the coefficients at the corners.

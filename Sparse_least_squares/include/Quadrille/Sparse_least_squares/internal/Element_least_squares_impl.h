@@ -80,13 +80,12 @@ double Element_least_squares<Term>::accumulate(const Vector& x, Detail detail, c
   double energy = 0;
   for (std::size_t begin = 0; begin < n; begin += block) {
     const std::size_t size = std::min(block, n - begin);
-    parallel_for(
-        (size + batch - 1) / batch, m_threads,
-        [&](std::size_t i) {
-          const std::size_t first = i * batch;
-          evaluate(begin + first, std::min(batch, size - first), x, detail, &m_buffer[first]);
-        },
-        128 / batch);
+    parallel_for((size + batch - 1) / batch, m_threads,
+                 [&](std::size_t i) {
+                   const std::size_t first = i * batch;
+                   evaluate(begin + first, std::min(batch, size - first), x, detail, &m_buffer[first]);
+                 },
+                 128 / batch);
     for (std::size_t i = 0; i < size; ++i) {
       energy += m_buffer[i].energy;
       if (!(energy < std::numeric_limits<double>::infinity()))

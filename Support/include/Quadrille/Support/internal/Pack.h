@@ -64,31 +64,19 @@ template <class S, class Value> [[gnu::always_inline]] inline S from_lanes(const
     return value(0);
 }
 
-inline double logarithm(double x)
-{
-  return std::log(x);
-}
+inline double logarithm(double x) { return std::log(x); }
 inline Pack logarithm(const Pack& x)
 {
   return from_lanes<Pack>([&](int i) { return std::log(x.lane(i)); });
 }
-inline double square_root(double x)
-{
-  return std::sqrt(x);
-}
+inline double square_root(double x) { return std::sqrt(x); }
 inline Pack square_root(const Pack& x)
 {
   return from_lanes<Pack>([&](int i) { return std::sqrt(x.lane(i)); });
 }
 
-inline bool all_positive(double x)
-{
-  return x > 0;
-}
-inline bool all_positive(const Pack& x)
-{
-  return x.lane(0) > 0 && x.lane(1) > 0 && x.lane(2) > 0 && x.lane(3) > 0;
-}
+inline bool all_positive(double x) { return x > 0; }
+inline bool all_positive(const Pack& x) { return x.lane(0) > 0 && x.lane(1) > 0 && x.lane(2) > 0 && x.lane(3) > 0; }
 
 } // namespace internal
 } // namespace Quadrille
