@@ -176,9 +176,8 @@ private:
       Ring hole = star(uniform_int(3, 9), uniform_int(0, 1) == 0 ? 1 : uniform(0.4, 0.9));
       for (Point& p : hole)
         p = Point(center.x() + radius * p.x(), center.y() + radius * p.y());
-      const bool surrounds_another = std::any_of(m_rings.begin() + 1, m_rings.end(), [&hole](const Ring& other) {
-        return is_inside({hole}, other[0]);
-      });
+      const bool surrounds_another = std::any_of(m_rings.begin() + 1, m_rings.end(),
+                                                 [&hole](const Ring& other) { return is_inside({hole}, other[0]); });
       if (is_inside(m_rings, hole[0]) && !surrounds_another && keeps_away(hole, diameter / 500))
         m_rings.push_back(hole);
     }
