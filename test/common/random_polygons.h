@@ -176,15 +176,17 @@ private:
       Ring hole = star(uniform_int(3, 9), uniform_int(0, 1) == 0 ? 1 : uniform(0.4, 0.9));
       for (Point& p : hole)
         p = Point(center.x() + radius * p.x(), center.y() + radius * p.y());
-      if (is_inside(hole[0]) && keeps_away(hole, diameter / 500))
+      const bool surrounds_another = std::any_of(m_rings.begin() + 1, m_rings.end(),
+                                                 [&hole](const Ring& other) { return is_inside({hole}, other[0]); });
+      if (is_inside(m_rings, hole[0]) && !surrounds_another && keeps_away(hole, diameter / 500))
         m_rings.push_back(hole);
     }
   }
 
-  bool is_inside(const Point& p) const
+  static bool is_inside(const std::vector<Ring>& rings, const Point& p)
   {
     bool inside = false;
-    for (const Ring& ring : m_rings)
+    for (const Ring& ring : rings)
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
         if ((a.y() > p.y()) != (b.y() > p.y()) &&
