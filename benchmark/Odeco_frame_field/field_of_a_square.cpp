@@ -25,7 +25,8 @@ static void solve(benchmark::State& state, int starts, Quadrille::Field_solver_k
   for (const Mesh::Edge_index e : mesh.edges())
     if (mesh.is_border(e))
       constraint[e] = {true, true, size(mesh.source(mesh.halfedge(e))), size(mesh.target(mesh.halfedge(e)))};
-  auto gradients = mesh.add_property_map<Mesh::Face_index, Quadrille::Gradient_pair>("f:gradients").first;
+  const Quadrille::Gradient_pair none(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  auto gradients = mesh.add_property_map<Mesh::Face_index, Quadrille::Gradient_pair>("f:gradients", none).first;
   Quadrille::Odeco_field_options options;
   options.starts = starts;
   options.threads = 1;

@@ -6,7 +6,7 @@
 // grows like 1 / h^2. Arguments: valence, cells along a side. Counters: triangles, h (side of a cell), energy,
 // largest_H, and near_energy, the share of the triangles around the singularity out to a distance of 3 h.
 
-#include <Quadrille/Odeco_frame_field/internal/Field_residuals.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_energy.h>
 
 #include <benchmark/benchmark.h>
 #include <planar_test_meshes.h>
@@ -16,7 +16,7 @@
 
 namespace {
 
-using Pieces = Quadrille::internal::Field_residuals<3>;
+using Energy = Quadrille::internal::Field_energy<3, Quadrille::internal::Field_energy_kind::integrability>;
 using Elements = Quadrille::internal::Field_elements<3>;
 
 /// The frame of a singularity of the given index in the origin: size r^index, turned by index times the polar angle.
@@ -41,21 +41,24 @@ void lie_energy(benchmark::State& state)
                           std::vector<double>(mesh.triangles.size(), 2. / n),
                           std::vector<Quadrille::internal::Vertex_restriction<3>>(mesh.points.size()),
                           std::vector<double>(mesh.points.size()));
+  const Energy integrability(elements, 1);
   double energy = 0, near_energy = 0, largest = 0;
   for (auto _ : state) {
     energy = near_energy = largest = 0;
     for (std::size_t e = 0; e < elements.number_of_elements(); ++e) {
       const auto& element = elements.element(e);
-      Eigen::Matrix<double, Pieces::lie_rows, 1> residuals;
-      const Pieces::Corners corners = {q[std::size_t(element.vertex[0])], q[std::size_t(element.vertex[1])],
-                                       q[std::size_t(element.vertex[2])]};
-      if (!Pieces::lie<0>(element, corners, 1, residuals,
-                          static_cast<Eigen::Matrix<double, Pieces::lie_rows, 9>*>(nullptr)))
+      Energy::Unknowns corners;
+      for (int k = 0; k < 3; ++k)
+        corners.segment<3>(3 * k) = q[std::size_t(element.vertex[std::size_t(k)])];
+      Energy::Residuals all = Energy::Residuals::Zero();
+      if (!integrability.evaluate(e, corners, all, nullptr))
         state.SkipWithError("a size is not positive");
+      const Eigen::Matrix<double, Energy::Rows_order::first_odeco, 1> residuals =
+          all.head<Energy::Rows_order::first_odeco>();
       energy += 0.5 * residuals.squaredNorm();
       if (mesh.centroid(e).norm() < 6. / n)
         near_energy += 0.5 * residuals.squaredNorm();
-      for (int p = 0; p < Pieces::points; ++p) // half a point's squared rows are a third of the area times H
+      for (int p = 0; p < 3; ++p) // half a point's squared rows are a third of the area times H
         largest = std::max(largest, residuals.segment<2>(2 * p).squaredNorm() / (2. / 3 * element.area));
     }
   }
