@@ -27,8 +27,8 @@ TEST(Seamless_map, rectangle_with_constant_frames_is_mapped_exactly)
 TEST(Seamless_map, integration_error_of_constant_stretch_is_known)
 {
   // Sizes 1 asked on a rectangle whose feature in the middle prevents nothing: u is x. With v gradients of 1 on the
-  // lower and 3 on the upper half, v is still integrable: no error. With du = 1 below and 3 above it is not: the least
-  // squares take 2, so |grad u - du|^2 = 1 everywhere, relative to 1 and to 9.
+  // lower and 3 on the upper half, v is still integrable: no error. With du = 1 below and 3 above it is not. Elements
+  // above are 1/3 x 1, which weighs u by 1/3 there: g = grad u minimises (g - 1)^2 + (g - 3)^2 / 3, so it is 3/2.
   const Planar_mesh mesh = rectangle_mesh(4, 40);
   const auto halves = [](double u, double v) {
     return [=](const Eigen::Vector2d& p) {
@@ -37,8 +37,8 @@ TEST(Seamless_map, integration_error_of_constant_stretch_is_known)
   };
   EXPECT_LT(compute_map(mesh, sample(mesh, halves(1, 3))).integration_error, 1e-20);
   const Seamless_map_data map = compute_map(mesh, sample(mesh, halves(3, 1)));
-  EXPECT_NEAR(map.integration_residual, 1.0, 1e-10);
-  EXPECT_NEAR(map.integration_error, (0.5 * 1.0 + 0.5 / 9.0) / 3.0, 1e-10);
+  EXPECT_NEAR(map.integration_residual, 0.5 * (0.25 + 2.25), 1e-10);
+  EXPECT_NEAR(map.integration_error, 0.5 * (0.25 + 2.25 / 9.0) / 3.0, 1e-10);
 }
 
 TEST(Seamless_map, annulus_is_mapped_by_the_logarithm)

@@ -122,8 +122,9 @@ public:
   }
 
 private:
-  /// Minimises (36) over the free parameters: weighted by the areas, exact for piecewise linear coordinates; or with
-  /// other weights by face.
+  /// Minimises (36), with weights, over the free parameters; exact for piecewise linear coordinates. `weights`: by
+  /// face, the areas unless given. What misses the unit of u by a tenth then counts the same for elements of all sizes;
+  /// so that it does for elements that are not square, too, u is weighted by l/m and v by m/l, with the sizes l and m.
   Eigen::VectorXd integrate(const std::vector<Gradient_pair>& combed, Reduced_elements& elements, Solver& solver,
                             const std::vector<double>& weights = {}) const
   {
@@ -131,15 +132,17 @@ private:
     for (int f = 0; f < m_mesh.number_of_faces(); ++f) {
       const double area = weights.empty() ? m_geometry.area(f) : weights[std::size_t(f)];
       const Gradient_pair& target = combed[std::size_t(f)];
+      const double aspect = target.first.norm() / target.second.norm();
+      const double weight[2] = {area / aspect, area * aspect};
       Corner_vector load;
       Corner_matrix stiffness = Corner_matrix::Zero();
       for (int i = 0; i < 3; ++i) {
         const Eigen::Vector2d gradient = m_geometry.hat_gradient(3 * f + i);
-        load.segment<2>(2 * i) << area * gradient.dot(target.first), area * gradient.dot(target.second);
+        load.segment<2>(2 * i) << weight[0] * gradient.dot(target.first), weight[1] * gradient.dot(target.second);
         for (int j = 0; j <= i; ++j) {
-          const double entry = area * gradient.dot(m_geometry.hat_gradient(3 * f + j));
+          const double product = gradient.dot(m_geometry.hat_gradient(3 * f + j));
           for (int c = 0; c < 2; ++c)
-            stiffness(2 * i + c, 2 * j + c) = stiffness(2 * j + c, 2 * i + c) = entry;
+            stiffness(2 * i + c, 2 * j + c) = stiffness(2 * j + c, 2 * i + c) = weight[c] * product;
         }
       }
       elements.add(std::size_t(f), load, stiffness);
