@@ -64,7 +64,7 @@ def graded_size(domain):
 
 def add_arguments(case, path, stem):
     """Converts what the program does not read, and writes down the graded sizes."""
-    domain, graded = case.domain, case.sizes == "graded"
+    domain, graded = case.domain, case.sizes == "graded" and case.problem is None
     size_at = graded_size(domain) if graded else None
     if domain.kind == "outline":
         case.arguments = [stem + ".geo"]

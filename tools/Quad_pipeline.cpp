@@ -4,6 +4,7 @@
 #include "Quad_pipeline.h"
 
 #include "pipeline_output.h"
+#include "refine_around_singularities.h"
 
 #include <Quadrille/Curve_projector.h>
 #include <Quadrille/Mesh_quality.h>
@@ -53,20 +54,32 @@ double cost(const Seamless_map<Mesh>& map)
   return n_folded == 0 ? map.integration_error : 1e3 + double(n_folded);
 }
 
-/// Map and quads of one start's field. `result` is filled as far as that gets.
-void mesh_start(const Planar_domain& domain, std::size_t start, const std::vector<Gradient_pair>& gradients,
-                const Seamless_parametrization_options& map_options, const Quad_extraction_options& extraction_options,
-                const Chosen_quantizer& quantizer, Quad_pipeline_result& result)
+/// How fields become quads.
+struct Meshing_options {
+  Seamless_parametrization_options map;
+  Quad_extraction_options extraction;
+  Quantizer_kind quantizer;
+  double quantization_seconds; ///< of one field
+};
+
+/// Map and quads of the field with `result.gradients`. `result` is filled as far as that gets.
+void mesh_field(const Planar_domain& domain, const Meshing_options& options, Quad_pipeline_result& result)
+{
+  result.map = integrate(domain, result.gradients, options.map, result.corner_uv);
+  result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
+                                    domain.region_map(), result.quads, options.extraction,
+                                    Chosen_quantizer(options.quantizer, options.quantization_seconds),
+                                    Curve_projector(domain));
+}
+
+void choose_start(std::size_t start, const std::vector<Gradient_pair>& gradients, Quad_pipeline_result& result)
 {
   result.gradients = gradients;
-  result.field->chosen = int(start);
-  result.field->energy = result.field->starts[start].energy;
-  result.field->energy_lie = result.field->starts[start].energy_lie;
-  result.field->energy_odeco = result.field->starts[start].energy_odeco;
-  result.map = integrate(domain, result.gradients, map_options, result.corner_uv);
-  result.extraction =
-      extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
-                    domain.region_map(), result.quads, extraction_options, quantizer, Curve_projector(domain));
+  Odeco_field_result& field = *result.field;
+  field.chosen = int(start);
+  field.energy = field.starts[start].energy;
+  field.energy_lie = field.starts[start].energy_lie;
+  field.energy_odeco = field.starts[start].energy_odeco;
 }
 
 /// What a user feels of a mesh (`Quad_pipeline_result::mesh_scores`): skew and errors in units of what is still good,
@@ -107,6 +120,41 @@ std::vector<std::size_t> candidates_by_cost(const std::vector<Field_start>& star
   return distinct;
 }
 
+/// Scores that differ by less tell of rounding to integers, not of fields.
+constexpr double tolerated_score_ratio = 1.1;
+
+/// The field of a finished run again, on finer triangles around its singularities; `result` becomes that if it is
+/// better.
+void solve_again_around_singularities(const std::vector<Edge_frame_constraint>& constraints,
+                                      const Planar_domain& domain, const Odeco_field_options& field_options,
+                                      const Meshing_options& meshing, double score, Quad_pipeline_result& result)
+{
+  Quad_pipeline_result attempt;
+  attempt.field = result.field;
+  Field_problem problem = refine_around_singularities(domain, constraints, field_options, result.gradients,
+                                                      result.map->singular_vertices);
+  attempt.refined_domain = std::move(problem.domain);
+  const Planar_domain& refined = *attempt.refined_domain;
+  attempt.gradients.resize(refined.mesh.number_of_faces());
+  try {
+    const Odeco_field_result field = odeco_frame_field(refined.mesh, refined.mesh.points(), vector_map(problem.constraints),
+                                                       vector_map(attempt.gradients), problem.options);
+    attempt.field->energy = field.energy;
+    attempt.field->energy_lie = field.energy_lie;
+    attempt.field->energy_odeco = field.energy_odeco;
+    attempt.field->iterations += field.iterations;
+    attempt.field->seconds += field.seconds;
+    mesh_field(refined, meshing, attempt);
+  } catch (const No_result_error&) {
+    return;
+  }
+  const double refined_score = mesh_score(refined, problem.constraints, field_options.isotropic, attempt);
+  if (attempt.map->integration_error >= result.map->integration_error || refined_score > tolerated_score_ratio * score)
+    return;
+  attempt.smooth_integration_error = result.smooth_integration_error;
+  result = std::move(attempt);
+}
+
 } // namespace
 
 void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
@@ -141,10 +189,6 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
     candidates[0] = result.gradients;
   }
 
-  map_options.threads = options.field.threads;
-  Quad_extraction_options extraction_options = options.extraction;
-  extraction_options.threads = options.field.threads;
-  extraction_options.observer = options.observer;
   std::optional<No_result_error> first_error;
   std::optional<Quad_pipeline_result> first_failed, best;
   double best_score = std::numeric_limits<double>::infinity();
@@ -154,6 +198,9 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   };
   const auto n_good = std::min(options.max_meshed_starts, int(std::count_if(order.begin(), order.end(), is_good)));
   const double seconds = options.quantization_seconds / std::max(1, n_good);
+  Meshing_options meshing{options.map, options.extraction, options.quantizer, seconds};
+  meshing.map.threads = meshing.extraction.threads = options.field.threads;
+  meshing.extraction.observer = options.observer;
   int n_meshed = 0;
   std::vector<double> scores(starts.size(), -1);
   for (const std::size_t start : order) {
@@ -162,8 +209,8 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
     ++n_meshed;
     Quad_pipeline_result attempt = result;
     try {
-      mesh_start(domain, start, candidates[start], map_options, extraction_options,
-                 Chosen_quantizer(options.quantizer, seconds), attempt);
+      choose_start(start, candidates[start], attempt);
+      mesh_field(domain, meshing, attempt);
       const double score = scores[start] = mesh_score(domain, constraints, options.field.isotropic, attempt);
       if (score < best_score) {
         best_score = score;
@@ -178,6 +225,9 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
     }
   }
   result = std::move(best ? *best : *first_failed);
+  if (best && options.refine_singularities && options.field.integrable &&
+      options.field.solver == Field_solver_kind::levenberg_marquardt && !result.map->singular_vertices.empty())
+    solve_again_around_singularities(constraints, domain, field_options, meshing, best_score, result);
   result.mesh_scores = std::move(scores);
   result.rejected = std::move(rejected);
   if (!result.extraction)

@@ -36,6 +36,9 @@ struct Quad_pipeline_options {
   int max_meshed_starts = 8;        ///< of the starts with the best maps, so many are meshed; the best mesh is kept
   double meshed_cost_ratio = 1.5;   ///< but not those whose cost is more than this times the least
   double same_field_energy = 1e-4;  ///< relative difference of energies and costs up to which fields are the same one
+  /// The best field is solved again on a triangulation that is twice as fine around its singularities, where most of
+  /// its integration error is; kept if that is better.
+  bool refine_singularities = true;
   const Progress_observer* observer = nullptr;
 };
 
@@ -44,6 +47,9 @@ struct Quad_pipeline_result {
   using Mesh = Planar_domain::Mesh;
 
   std::optional<Odeco_field_result> field;
+  /// The domain with finer triangles around singularities: where it is given, `gradients`, `map` and `corner_uv` are on
+  /// its mesh.
+  std::optional<Planar_domain> refined_domain;
   std::vector<Gradient_pair> gradients; ///< per face
   /// Integration error of the smooth field's map, the reference for the chosen one; negative if it has no map.
   double smooth_integration_error = -1;

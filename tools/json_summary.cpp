@@ -26,6 +26,8 @@ const char* name_of(Field_start::Kind kind)
     return "smooth";
   case Field_start::Kind::relaxed:
     return "relaxed";
+  case Field_start::Kind::initial:
+    return "initial";
   default:
     return "melted";
   }
@@ -119,6 +121,7 @@ void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Js
         candidate["mesh_score"] = result.mesh_scores[i];
       json["candidates"].push_back(std::move(candidate));
     }
+    json["triangles"] = result.gradients.size();
     json["iterations"] = field.iterations;
     json["energy"] = field.energy;
     json["energy_terms"] = {{"lie", field.energy_lie}, {"odeco", field.energy_odeco}};

@@ -112,7 +112,10 @@ private:
     check_number_of_quads();
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     if (!m_arguments.size_field.empty())
-      m_target_sizes = read_size_field(m_arguments.size_field, m_domain);
+      m_size_field = read_size_field(m_arguments.size_field, m_domain);
+    if (!m_size_field.metric.empty() && !m_arguments.anisotropic)
+      throw Invalid_argument_error(m_arguments.size_field + ": metrics, and places with two sizes, need anisotropic " +
+                                   "frames; add --anisotropic or give one size at each place");
     std::ostringstream line;
     line << m_arguments.input << ": " << m_domain.mesh.number_of_faces() << " triangles";
     if (m_domain.triangle_size > 0)
@@ -142,7 +145,8 @@ private:
     Quad_pipeline_options options;
     options.field.isotropic = !m_arguments.anisotropic;
     options.field.integrable = !m_arguments.smooth;
-    options.field.target_size = m_target_sizes;
+    options.field.target_size = m_size_field.size;
+    options.field.target_metric = m_size_field.metric;
     options.field.target_size_weight = m_arguments.size_field_weight;
     options.field.impose_target_size = m_arguments.impose_size_field;
     options.field.solver = m_arguments.solver;
@@ -168,14 +172,15 @@ private:
   {
     for (const std::string& output : m_arguments.outputs)
       write_mesh(output, m_mesh);
+    const Planar_domain& domain = m_result.refined_domain ? *m_result.refined_domain : m_domain;
     if (!m_arguments.field.empty()) {
-      const Frames frames = frames_of(m_domain, m_result);
-      write_frame_field(m_arguments.field, m_domain, frames.u, frames.v, frames.valence);
+      const Frames frames = frames_of(domain, m_result);
+      write_frame_field(m_arguments.field, domain, frames.u, frames.v, frames.valence);
     }
     if (!m_arguments.map.empty())
-      write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
+      write_corner_map(m_arguments.map, domain, m_result.corner_uv);
     if (!m_arguments.picture.empty())
-      write_picture(m_arguments.picture, m_domain, m_result);
+      write_picture(m_arguments.picture, domain, m_result);
   }
 
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
@@ -230,7 +235,7 @@ private:
   Planar_domain m_domain;
   Domain_sizes m_sizes;
   std::vector<Curve_count> m_counts;
-  std::vector<double> m_target_sizes; ///< per vertex of the domain; empty: none
+  Size_field m_size_field;
   Quad_pipeline_result m_result;
   Labelled_mesh m_mesh;
   std::optional<Mesh_summary> m_mesh_summary;

@@ -27,11 +27,17 @@ Planar_domain unit_square(int n)
   return make_planar_domain(mesh, "unit square");
 }
 
-class Size_field : public Temporary_files {
+class Size_field_files : public Temporary_files {
 protected:
-  std::vector<double> sizes(const std::string& name, const std::string& text)
+  Size_field read(const std::string& name, const std::string& text)
   {
     return read_size_field(write(name, text), m_domain);
+  }
+  std::vector<double> sizes(const std::string& name, const std::string& text)
+  {
+    const Size_field field = read(name, text);
+    EXPECT_TRUE(field.metric.empty());
+    return field.size;
   }
   void expect_failure(const std::string& name, const std::string& text, const std::string& word)
   {
@@ -46,7 +52,7 @@ protected:
   Planar_domain m_domain = unit_square(10);
 };
 
-TEST_F(Size_field, places_count_within_their_radius)
+TEST_F(Size_field_files, places_count_within_their_radius)
 {
   const std::vector<double> field = sizes("a.csv", "# x, y, size, radius\n0.2, 0.2, 0.05, 0.15\n\n0.8 0.8\t0.1\n");
   for (const auto v : m_domain.mesh.vertices()) {
@@ -58,7 +64,7 @@ TEST_F(Size_field, places_count_within_their_radius)
   }
 }
 
-TEST_F(Size_field, small_places_count_for_the_nearest_vertex)
+TEST_F(Size_field_files, small_places_count_for_the_nearest_vertex)
 {
   const std::vector<double> field = sizes("a.txt", "0.52 0.49 0.001");
   for (const auto v : m_domain.mesh.vertices()) {
@@ -67,7 +73,7 @@ TEST_F(Size_field, small_places_count_for_the_nearest_vertex)
   }
 }
 
-TEST_F(Size_field, views_are_interpolated)
+TEST_F(Size_field_files, views_are_interpolated)
 {
   // Linear over the lower right triangle of the square, nothing elsewhere.
   const std::vector<double> field = sizes("a.pos", "View \"size\" {\nST(0, 0, 0, 1, 0, 0, 1, 1, 0){1, 2, 4};\n};\n");
@@ -114,13 +120,56 @@ $EndNodeData
   }
 }
 
-TEST_F(Size_field, unusable_files_are_errors)
+TEST_F(Size_field_files, places_may_have_two_sizes)
+{
+  const Size_field field = read("a.txt", "0.2 0.2 0.1 0.02 30 0.15\n0.8 0.8 0.05 0.15\n");
+  ASSERT_EQ(field.metric.size(), m_domain.mesh.number_of_vertices());
+  const double c = std::cos(CGAL_PI / 6), s = std::sin(CGAL_PI / 6);
+  const Eigen::Vector2d along(0.1 * c, 0.1 * s), across(-0.02 * s, 0.02 * c);
+  int n_metrics = 0, n_sizes = 0;
+  for (const auto v : m_domain.mesh.vertices()) {
+    const Eigen::Matrix2d& metric = field.metric[v.idx()];
+    n_sizes += field.size[v.idx()] > 0;
+    if (metric.isZero(0))
+      continue;
+    ++n_metrics;
+    EXPECT_EQ(field.size[v.idx()], 0);
+    EXPECT_NEAR(along.dot(metric * along), 1, 1e-12);
+    EXPECT_NEAR(across.dot(metric * across), 1, 1e-12);
+    EXPECT_NEAR(along.dot(metric * across), 0, 1e-12);
+  }
+  EXPECT_EQ(n_metrics, 9);
+  EXPECT_EQ(n_sizes, 9);
+}
+
+TEST_F(Size_field_files, views_of_tensors_are_metrics)
+{
+  const Size_field field =
+      read("a.pos", "View \"metric\" {\nTT(0, 0, 0, 2, 0, 0, 0, 2, 0)"
+                    "{100, 10, 0, 10, 25, 0, 0, 0, 1, 300, 10, 0, 10, 25, 0, 0, 0, 1, 100, 10, 0, 10, 25, 0, 0, 0, 1};"
+                    "\n};\n");
+  EXPECT_TRUE(field.size.empty());
+  ASSERT_EQ(field.metric.size(), m_domain.mesh.number_of_vertices());
+  for (const auto v : m_domain.mesh.vertices()) {
+    Eigen::Matrix2d expected;
+    expected << 100 + 100 * m_domain.mesh.point(v).x(), 10, 10, 25;
+    EXPECT_LT((field.metric[v.idx()] - expected).norm(), 1e-9);
+  }
+}
+
+TEST_F(Size_field_files, unusable_files_are_errors)
 {
   expect_failure("a.txt", "0 0 1\n0 0\n", "line 2");
   expect_failure("b.txt", "0 0 -1\n", "positive");
   expect_failure("c.txt", "0 0 1 0\n", "positive");
   expect_failure("d.txt", "0 0 nan\n", "column 5");
   expect_failure("e.txt", "0 0 1x\n", "column 5");
+  expect_failure("l.txt", "0 0 1 0 45\n", "positive");
+  expect_failure("m.txt", "0 0 1 1 45 1 1\n", "7 numbers");
+  expect_failure("n.pos",
+                 "View \"metric\" {\nTT(0, 0, 0, 2, 0, 0, 0, 2, 0){1, 2, 0, 2, 1, 0, 0, 0, 1, 1, 2, 0, 2, 1, 0, 0, 0, "
+                 "1, 1, 2, 0, 2, 1, 0, 0, 0, 1};\n};\n",
+                 "positive definite");
   expect_failure("f.txt", "# nothing\n", "no size");
   expect_failure("g.txt", "", "empty");
   expect_failure("h.dat", "0 0 1\n", ".csv");

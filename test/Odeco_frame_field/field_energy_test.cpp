@@ -81,8 +81,11 @@ template <int N, class Make_energy> void expect_right_derivatives(const Make_ene
     restrictions[std::size_t(v)].offset = Eigen::Matrix<double, N, 1>::Unit(0) * 3;
     restrictions[std::size_t(v)].basis = Eigen::Matrix<double, N, N>::NullaryExpr([&] { return uniform(engine); });
   }
+  Vertex_targets targets{{1, 0.5, 0, 1}, {4, Metric_residual::Zero()}};
+  for (const std::size_t v : {0, 2, 3})
+    targets.metric[v] = Metric_residual::NullaryExpr([&] { return uniform(engine); });
   const Field_elements<N> elements(triangles.indexed(), triangles.points, {0.7, 0.9}, restrictions,
-                                   {0.1, -0.2, 0.3, 0});
+                                   {0.1, -0.2, 0.3, 0}, targets);
   const auto energy = make_energy(elements);
   for (int repeat = 0; repeat < 10; ++repeat) {
     std::vector<Eigen::Matrix<double, 3 * N, 1>> unknowns;
@@ -104,6 +107,7 @@ template <int N, Field_energy_kind kind> Field_energy<N, kind> attracted_energy(
 {
   Field_energy<N, kind> energy(elements, 1.5);
   energy.set_size_attraction(0.8);
+  energy.set_target_attraction(0.6);
   energy.set_grading_attraction(0.4);
   return energy;
 }

@@ -245,6 +245,31 @@ TEST(Odeco_frame_field, corners_far_from_right_angles_are_left_free)
             0);
 }
 
+TEST(Odeco_frame_field, an_initial_field_replaces_the_starts)
+{
+  // Turned, so that the initial field has to be brought to the canonical position.
+  Triangles triangles = square(20, 20);
+  for (Eigen::Vector2d& p : triangles.points)
+    p = Eigen::Rotation2Dd(0.4) * p;
+  const Mesh mesh = triangles.surface_mesh();
+  const auto size = [](const Kernel::Point_2& p) {
+    return 1 + 0.05 * (std::cos(0.4) * p.y() - std::sin(0.4) * p.x());
+  };
+  Odeco_field_options options = quick(2);
+  const Field melted = boundary_field(mesh, size, options);
+  options.initial_field = melted.result.harmonics;
+  const Field again = boundary_field(mesh, size, options);
+  ASSERT_EQ(again.result.starts.size(), 1u);
+  EXPECT_EQ(again.result.starts[0].kind, Field_start::Kind::initial);
+  EXPECT_LE(again.result.energy, melted.result.energy * (1 + 1e-9));
+  EXPECT_GT(again.result.energy, melted.result.energy * (1 - 1e-3)); // it was nearly a minimum
+  EXPECT_LE(again.result.iterations, 3);
+  for (const auto v : mesh.vertices())
+    EXPECT_LT((again.result.harmonics[v] - melted.result.harmonics[v]).norm(), 0.02 * melted.result.harmonics[v].norm());
+  options.initial_field.pop_back();
+  EXPECT_THROW(boundary_field(mesh, size, options), Invalid_argument_error);
+}
+
 TEST(Odeco_frame_field, lbfgs_references_reach_the_same_minimum)
 {
 #ifdef QUADRILLE_WITH_ALGLIB

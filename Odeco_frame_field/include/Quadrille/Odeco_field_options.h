@@ -7,6 +7,8 @@
 #include <Quadrille/Progress_observer.h>
 #include <Quadrille/Symmetric_tensor_2.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <vector>
 
@@ -53,10 +55,20 @@ struct Odeco_field_options {
   /// Element sizes wanted inside, per vertex in the order of `vertices(mesh)` and in the mesh's unit; 0 where none is
   /// wanted; empty: nowhere. See `sample_target_sizes()`. Sizes on constrained edges take precedence.
   std::vector<double> target_size;
-  /// Weight of the mean of log(size / target)^2 over where there is a target. A larger one meets targets more closely,
-  /// at the cost of integrability.
+  /// The same with directions: per vertex a symmetric positive definite metric M (unit: 1 / size^2) in which the edges d
+  /// of elements should have length 1, d^T M d = 1; zero where none is wanted; empty: nowhere. Where both are given, the
+  /// metric counts. Of isotropic frames it asks for the size det(M)^(-1/4).
+  std::vector<Eigen::Matrix2d> target_metric;
+  /// Weight of the mean of log(size / target)^2 over where there is a target, and in anisotropic fields of that of
+  /// |M^(1/4) S M^(1/4) - I|^2, where S has the sizes as eigenvalues and the directions as eigenvectors. A larger one
+  /// meets targets more closely, at the cost of integrability.
   double target_size_weight = 10;
-  bool impose_target_size = false; ///< fix the target sizes (as isotropic frames) instead of attracting
+  /// Fix the targets instead of attracting to them: sizes as isotropic frames, metrics with both sizes and directions.
+  bool impose_target_size = false;
+  /// A field to start from, per vertex in the order of `vertices(mesh)`, such as that of a coarser triangulation:
+  /// instead of all other starts it is minimised at the final epsilon, where singularities stay where they are. Empty:
+  /// there is none.
+  std::vector<Circular_harmonics> initial_field;
   Melt_and_freeze_schedule schedule;
   const Progress_observer* observer = nullptr;
 };
@@ -66,7 +78,8 @@ struct Field_start {
   enum class Kind {
     smooth,  ///< minimises E_smooth: the reference, never chosen when there is another
     relaxed, ///< the smooth field, then E_integ
-    melted   ///< melted and frozen
+    melted,  ///< melted and frozen
+    initial  ///< `Odeco_field_options::initial_field`, then E_integ
   };
   Kind kind = Kind::smooth;
   std::uint64_t seed = 0;
@@ -83,7 +96,7 @@ struct Field_start {
 /// The chosen field, and how it came about.
 struct Odeco_field_result {
   std::vector<Circular_harmonics> harmonics; ///< per vertex, in the order of `vertices(mesh)`; eigenvalues are sizes
-  std::vector<Field_start> starts;           ///< smooth, relaxed, melted ones by seed
+  std::vector<Field_start> starts;           ///< smooth, relaxed, melted ones by seed; or the initial one alone
   int chosen = -1;                           ///< index into `starts`
   double energy = 0;                         ///< E_integ of the chosen field, and the attractions to sizes
   double energy_lie = 0;                     ///< its E_Lie; planar-2, eq. (30)

@@ -12,7 +12,10 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -23,14 +26,26 @@
 namespace Quadrille {
 namespace internal {
 
-/// A size that is wanted around a point.
+/// Sizes that are wanted around a point.
 struct Size_place {
   Planar_domain::Point_2 position;
-  double size = 0, radius = 0;
+  std::array<double, 2> size = {};
+  double angle = 0; ///< of the first size's direction, in radians
+  double radius = 0;
+  bool has_direction = false;
+
+  Eigen::Matrix2d metric() const
+  {
+    const Eigen::Rotation2Dd turn(angle);
+    const Eigen::Matrix2d metric =
+        turn * Eigen::Vector2d(1 / (size[0] * size[0]), 1 / (size[1] * size[1])).asDiagonal() * turn.inverse();
+    return 0.5 * (metric + metric.transpose());
+  }
 };
 
 inline std::vector<Size_place> parse_size_places(const std::string& text, const std::string& path)
 {
+  const std::string form = "a line should be 'x y size [radius]' or 'x y size size angle [radius]'";
   std::vector<Size_place> places;
   std::istringstream lines(text);
   std::string line;
@@ -49,25 +64,32 @@ inline std::vector<Size_place> parse_size_places(const std::string& text, const 
       double value = 0;
       const auto [next, error] = std::from_chars(at, end, value);
       if (error != std::errc() || (next != end && *next != ' ') || !std::isfinite(value))
-        fail("a line should be 'x y size [radius]', and what stands in column " + std::to_string(at - line.data() + 1) +
+        fail(form + ", and what stands in column " + std::to_string(at - line.data() + 1) +
              " is not a finite number");
       values.push_back(value);
       at = next;
     }
     if (values.empty())
       continue;
-    if (values.size() != 3 && values.size() != 4)
-      fail("a line should be 'x y size [radius]', and this one has " + std::to_string(values.size()) + " numbers");
-    if (!(values[2] > 0) || (values.size() == 4 && !(values[3] > 0)))
+    if (values.size() < 3 || values.size() > 6)
+      fail(form + ", and this one has " + std::to_string(values.size()) + " numbers");
+    Size_place place;
+    place.position = {values[0], values[1]};
+    place.has_direction = values.size() > 4;
+    place.size = {values[2], place.has_direction ? values[3] : values[2]};
+    place.angle = place.has_direction ? values[4] * CGAL_PI / 180 : 0;
+    const bool has_radius = values.size() % 2 == 0;
+    place.radius = has_radius ? values.back() : 2 * std::max(place.size[0], place.size[1]);
+    if (!(place.size[0] > 0) || !(place.size[1] > 0) || !(place.radius > 0))
       fail("sizes and radii must be positive");
-    places.push_back({{values[0], values[1]}, values[2], values.size() == 4 ? values[3] : 2 * values[2]});
+    places.push_back(place);
   }
   if (places.empty())
-    throw Invalid_input_error(path + ": there is no size in this file; a line should be 'x y size [radius]'");
+    throw Invalid_input_error(path + ": there is no size in this file; " + form);
   return places;
 }
 
-inline std::vector<double> sizes_around_places(const std::vector<Size_place>& places, const Planar_domain& domain)
+inline Size_field sizes_around_places(const std::vector<Size_place>& places, const Planar_domain& domain)
 {
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Planar_domain::Kernel>;
   using Delaunay =
@@ -82,65 +104,99 @@ inline std::vector<double> sizes_around_places(const std::vector<Size_place>& pl
     points.emplace_back(places[i].position, i);
   centers.insert(points.begin(), points.end());
 
-  std::vector<double> sizes(domain.mesh.number_of_vertices(), 0.0);
-  for (const Size_place& place : places) {
-    const auto nearest = vertices.nearest_vertex(place.position);
-    sizes[nearest->info()] = place.size;
-  }
+  Size_field field;
+  field.size.assign(domain.mesh.number_of_vertices(), 0.0);
+  if (std::any_of(places.begin(), places.end(), [](const Size_place& place) { return place.has_direction; }))
+    field.metric.assign(domain.mesh.number_of_vertices(), Eigen::Matrix2d::Zero());
+  const auto set = [&](std::size_t v, const Size_place& place) {
+    field.size[v] = place.has_direction ? 0 : place.size[0];
+    if (!field.metric.empty())
+      field.metric[v] = place.has_direction ? place.metric() : Eigen::Matrix2d(Eigen::Matrix2d::Zero());
+  };
+  for (const Size_place& place : places)
+    set(vertices.nearest_vertex(place.position)->info(), place);
   for (const auto v : domain.mesh.vertices()) {
     const Size_place& place = places[centers.nearest_vertex(domain.mesh.point(v))->info()];
     if (CGAL::squared_distance(place.position, domain.mesh.point(v)) <= place.radius * place.radius)
-      sizes[std::size_t(v.idx())] = place.size;
+      set(std::size_t(v.idx()), place);
   }
-  return sizes;
+  return field;
 }
 
-/// The last view of a file at the vertices of a domain. Runs in the child process.
+/// The last view of a file at the vertices of a domain: per vertex the size, or the entries xx, xy, yy of the metric;
+/// zero where there is none. Runs in the child process.
 inline std::vector<double> probe_view(const std::string& path, const Planar_domain& domain)
 {
   const Gmsh_session session;
-  std::vector<double> sizes(domain.mesh.number_of_vertices(), 0.0);
+  constexpr int in_plane[3] = {0, 1, 4}; // of the nine entries of a tensor
+  std::vector<double> result;
   Gmsh_session::call(path, [&] {
     gmsh::merge(path);
     std::vector<int> views;
     gmsh::view::getTags(views);
     if (views.empty())
       throw Invalid_input_error(path + ": there are no node data in this file; a size field is a Gmsh view with one "
-                                       "number per node");
-    std::vector<double> values;
-    for (const auto v : domain.mesh.vertices()) {
+                                       "number, or one tensor, per node");
+    const auto probe = [&](const Planar_domain::Point_2& p, int n_components) {
+      std::vector<double> values; // of all time steps
+      gmsh::view::probe(views.back(), p.x(), p.y(), domain.z, values, -1, n_components);
+      if (values.size() > std::size_t(n_components))
+        values.erase(values.begin(), values.end() - n_components);
+      return values;
+    };
+    const auto vertices = domain.mesh.vertices();
+    const bool has_tensors = std::any_of(vertices.begin(), vertices.end(),
+                                         [&](auto v) { return !probe(domain.mesh.point(v), 9).empty(); });
+    for (const auto v : vertices) {
       const auto& p = domain.mesh.point(v);
-      values.clear();
-      gmsh::view::probe(views.back(), p.x(), p.y(), domain.z, values);
-      if (values.empty())
+      const std::vector<double> values = probe(p, has_tensors ? 9 : 1);
+      if (values.empty()) {
+        result.resize(result.size() + (has_tensors ? 3 : 1), 0.0);
         continue;
-      const double size = values.back();
-      if (!(size > 0) || !std::isfinite(size))
-        throw Invalid_input_error(path + ": the size at (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) +
-                                  ") is " + std::to_string(size) + "; sizes must be positive and finite");
-      sizes[std::size_t(v.idx())] = size;
+      }
+      const std::string place = "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")";
+      if (!has_tensors) {
+        if (!(values[0] > 0) || !std::isfinite(values[0]))
+          throw Invalid_input_error(path + ": the size at " + place + " is " + std::to_string(values[0]) +
+                                    "; sizes must be positive and finite");
+        result.push_back(values[0]);
+        continue;
+      }
+      const double xx = values[in_plane[0]], xy = values[in_plane[1]], yy = values[in_plane[2]];
+      if (values[3] != xy || !(xx > 0) || !(xx * yy - xy * xy > 0) || !std::isfinite(xx + yy))
+        throw Invalid_input_error(path + ": the tensor at " + place + " is (" + std::to_string(xx) + ", " +
+                                  std::to_string(xy) + "; " + std::to_string(values[3]) + ", " + std::to_string(yy) +
+                                  ") in the plane; metrics must be symmetric and positive definite");
+      result.insert(result.end(), {xx, xy, yy});
     }
   });
-  return sizes;
+  return result;
 }
 
 } // namespace internal
 
-inline std::vector<double> read_size_field(const std::string& path, const Planar_domain& domain,
-                                           double time_limit_seconds)
+inline Size_field read_size_field(const std::string& path, const Planar_domain& domain, double time_limit_seconds)
 {
   const std::string ending = internal::extension_of(path);
-  std::vector<double> sizes;
   if (ending == ".txt" || ending == ".csv")
     return internal::sizes_around_places(internal::parse_size_places(internal::read_whole_file(path), path), domain);
   if (ending != ".pos" && ending != ".msh")
     throw Invalid_argument_error(path + ": the name of a size field has to end in .pos, .msh, .txt or .csv");
   internal::check_readable(path); // Gmsh would only log it
-  sizes = internal::run_in_child_process<std::vector<double>>([&] { return internal::probe_view(path, domain); },
-                                                              time_limit_seconds, path);
-  if (std::none_of(sizes.begin(), sizes.end(), [](double size) { return size > 0; }))
+  const std::vector<double> values = internal::run_in_child_process<std::vector<double>>(
+      [&] { return internal::probe_view(path, domain); }, time_limit_seconds, path);
+  if (std::none_of(values.begin(), values.end(), [](double value) { return value > 0; }))
     throw Invalid_input_error(path + ": the size field says nothing anywhere inside the domain " + domain.source);
-  return sizes;
+  Size_field field;
+  if (values.size() == domain.mesh.number_of_vertices()) {
+    field.size = values;
+  } else {
+    for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
+      field.metric.emplace_back();
+      field.metric.back() << values[i], values[i + 1], values[i + 1], values[i + 2];
+    }
+  }
+  return field;
 }
 
 } // namespace Quadrille

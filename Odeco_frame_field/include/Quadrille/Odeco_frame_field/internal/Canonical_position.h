@@ -45,14 +45,24 @@ public:
   {
     return {m_axis.x() * d.x() - m_axis.y() * d.y(), m_axis.y() * d.x() + m_axis.x() * d.y()};
   }
+  Eigen::Matrix2d metric(const Eigen::Matrix2d& m) const
+  {
+    Eigen::Matrix2d axes; // columns
+    axes << m_axis.x(), -m_axis.y(), m_axis.y(), m_axis.x();
+    return m_size_unit * m_size_unit * axes.transpose() * m * axes;
+  }
   double original_size(double s) const { return s * m_size_unit; }
   Circular_harmonics original_harmonics(const Circular_harmonics& q) const
   {
-    const double angle = std::atan2(m_axis.y(), m_axis.x());
-    return m_size_unit * Symmetric_tensor_2::from_harmonics(q).rotated(angle).harmonics();
+    return m_size_unit * Symmetric_tensor_2::from_harmonics(q).rotated(axis_angle()).harmonics();
+  }
+  Circular_harmonics harmonics(const Circular_harmonics& original) const
+  {
+    return Symmetric_tensor_2::from_harmonics(original).rotated(-axis_angle()).harmonics() / m_size_unit;
   }
 
 private:
+  double axis_angle() const { return std::atan2(m_axis.y(), m_axis.x()); }
   Eigen::Vector2d to_axes(const Eigen::Vector2d& p) const
   {
     return {m_axis.dot(p), m_axis.x() * p.y() - m_axis.y() * p.x()};

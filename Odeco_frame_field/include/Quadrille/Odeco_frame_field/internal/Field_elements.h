@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ELEMENTS_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ELEMENTS_H
 
+#include <Quadrille/Odeco_frame_field/internal/Metric_residual.h>
 #include <Quadrille/Odeco_frame_field/internal/Triangle_values.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
@@ -26,6 +27,24 @@ template <int N> struct Vertex_restriction {
   bool is_free = true; ///< offset zero and basis the identity
 };
 
+/// What is wanted at vertices without being prescribed. Empty vectors: nowhere.
+struct Vertex_targets {
+  std::vector<double> weight;         ///< how much the expected size is a target of the user's, 0 to 1
+  std::vector<Metric_residual> metric; ///< zero where there is no metric
+
+  Vertex_targets at(const std::vector<int>& vertices) const
+  {
+    Vertex_targets result;
+    for (const int v : vertices) {
+      if (!weight.empty())
+        result.weight.push_back(weight[std::size_t(v)]);
+      if (!metric.empty())
+        result.metric.push_back(metric[std::size_t(v)]);
+    }
+    return result;
+  }
+};
+
 /// What the field's energies share: triangles with their shape gradients, and the vertices' restrictions.
 template <int N> class Field_elements {
 public:
@@ -41,13 +60,12 @@ public:
     double size; ///< local triangle size, the unit of epsilon
   };
 
-  /// `sizes`: per face the length that multiplies the relative epsilon. Per vertex: `expected_log_sizes`, and
-  /// `target_weights`, how much the expectation there is a target of the user's (0 to 1; empty: nowhere).
+  /// `sizes`: per face the length that multiplies the relative epsilon. Per vertex: `expected_log_sizes`, `targets`.
   Field_elements(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
                  const std::vector<double>& sizes, std::vector<Vertex_restriction<N>> restrictions,
-                 std::vector<double> expected_log_sizes, std::vector<double> target_weights = {})
+                 std::vector<double> expected_log_sizes, Vertex_targets targets = {})
       : m_restrictions(std::move(restrictions)), m_expected_log_sizes(std::move(expected_log_sizes)),
-        m_target_weights(std::move(target_weights)), m_first(m_restrictions.size() + 1, 0)
+        m_targets(std::move(targets)), m_first(m_restrictions.size() + 1, 0)
   {
     m_elements.reserve(std::size_t(mesh.number_of_faces()));
     for (int f = 0; f < mesh.number_of_faces(); ++f) {
@@ -85,8 +103,9 @@ public:
   const Element& element(std::size_t e) const { return m_elements[e]; }
   const Vertex_restriction<N>& restriction(std::size_t v) const { return m_restrictions[v]; }
   double expected_log_size(std::size_t v) const { return m_expected_log_sizes[v]; }
-  bool has_targets() const { return !m_target_weights.empty(); }
-  double target_weight(std::size_t v) const { return has_targets() ? m_target_weights[v] : 0; }
+  const Vertex_targets& targets() const { return m_targets; }
+  bool has_targets() const { return !m_targets.weight.empty(); }
+  double target_weight(std::size_t v) const { return has_targets() ? m_targets.weight[v] : 0; }
   double total_area() const { return m_total_area; }
   /// Of the part where there are targets.
   double target_area() const { return m_target_area; }
@@ -124,6 +143,11 @@ public:
         values.gradient[a][k] = from_lanes<S>([&](int lane) { return element[lane]->gradient(a, k); });
       values.expected_log_size[k] = from_lanes<S>([&](int lane) { return expected_log_size(vertex(lane, k)); });
       values.target_weight[k] = from_lanes<S>([&](int lane) { return target_weight(vertex(lane, k)); });
+      if (!m_targets.metric.empty())
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 4; ++j)
+            values.metric_residual[k][i][j] =
+                from_lanes<S>([&](int lane) { return m_targets.metric[vertex(lane, k)](i, j); });
     }
     values.root_area = from_lanes<S>([&](int lane) { return element[lane]->root_area; });
     values.size = from_lanes<S>([&](int lane) { return element[lane]->size; });
@@ -178,7 +202,8 @@ private:
   std::vector<Element> m_elements;
   std::vector<bool> m_is_free; ///< elements
   std::vector<Vertex_restriction<N>> m_restrictions;
-  std::vector<double> m_expected_log_sizes, m_target_weights;
+  std::vector<double> m_expected_log_sizes;
+  Vertex_targets m_targets;
   double m_total_area = 0, m_target_area = 0;
   std::vector<int> m_first;
 };

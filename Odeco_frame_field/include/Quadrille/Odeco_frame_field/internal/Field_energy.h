@@ -20,7 +20,7 @@ template <int N, Field_energy_kind kind> struct Field_energy_rows {
   using Pieces = Field_residuals<N>;
   static constexpr int first_odeco = integrable ? Pieces::lie_rows : Pieces::dirichlet_rows;
   static constexpr int first_size = first_odeco + Pieces::odeco_rows;
-  static constexpr int count = first_size + (integrable ? Pieces::points + (N == 5 ? 2 : 0) : 0);
+  static constexpr int count = first_size + (integrable ? Pieces::points + (N == 5 ? 2 + 9 : 0) : 0);
 };
 
 /// The normalised energies of planar-2: linear triangles, three-point quadrature. Half the squared norm of the
@@ -65,8 +65,10 @@ public:
       return false;
     if constexpr (integrable) {
       add_size_attraction(triangle, rows);
-      if constexpr (N == 5)
+      if constexpr (N == 5) {
         add_grading_attraction(triangle, rows);
+        add_metric_attraction(triangle, rows);
+      }
     }
     return true;
   }
@@ -123,6 +125,31 @@ private:
       } else {
         rows.add(value);
       }
+    }
+  }
+
+  /// With the vertices as quadrature points, where it is the square of affine functions.
+  template <class S, class Rows> void add_metric_attraction(const Triangle_values<S, N>& triangle, Rows& rows) const
+  {
+    const auto& elements = this->elements();
+    if (elements.targets().metric.empty() || m_target_attraction == 0) {
+      rows.template skip<9>();
+      return;
+    }
+    constexpr double corner[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const S factor = std::sqrt(m_target_attraction / (3 * elements.target_area())) * triangle.root_area;
+    for (int k = 0; k < 3; ++k) {
+      Tuple<S, 3> value;
+      Tuple<Tuple<S, N>, 3> by_value = {};
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+          by_value[i][j] = factor * triangle.metric_residual[k][i][j];
+        value[i] = dot(by_value[i], triangle.coefficients[k]) + factor * triangle.metric_residual[k][i][3];
+      }
+      if constexpr (Rows::with_derivatives)
+        rows.add(value, corner[k], by_value);
+      else
+        rows.add(value);
     }
   }
 

@@ -98,15 +98,13 @@ private:
     Field_elements<N> restricted_elements(const Field_elements<N>& finer) const
     {
       std::vector<Vertex_restriction<N>> restrictions;
-      std::vector<double> log_sizes, target_weights;
+      std::vector<double> log_sizes;
       for (const int v : fine_vertex) {
         restrictions.push_back(finer.restriction(std::size_t(v)));
         log_sizes.push_back(finer.expected_log_size(std::size_t(v)));
-        if (finer.has_targets())
-          target_weights.push_back(finer.target_weight(std::size_t(v)));
       }
       return Field_elements<N>(mesh.mesh, mesh.points, local_triangle_sizes(mesh.mesh, mesh.points),
-                               std::move(restrictions), std::move(log_sizes), std::move(target_weights));
+                               std::move(restrictions), std::move(log_sizes), finer.targets().at(fine_vertex));
     }
 
     std::vector<int> fine_vertex, coarse_vertex;

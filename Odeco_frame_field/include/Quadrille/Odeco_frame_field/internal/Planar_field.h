@@ -51,6 +51,13 @@ inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges
     if (!(size >= 0) || !std::isfinite(size))
       throw Invalid_argument_error("a vertex has the target size " + std::to_string(size) +
                                    "; sizes must be positive and finite (0 for no target)");
+  for (const Eigen::Matrix2d& metric : options.target_metric)
+    if (!metric.isZero(0) && (!metric.allFinite() || metric(0, 1) != metric(1, 0) || !(metric(0, 0) > 0) ||
+                              !(metric.determinant() > 0) || !std::isfinite(1 / metric.determinant())))
+      throw Invalid_argument_error("a vertex has the target metric (" + std::to_string(metric(0, 0)) + ", " +
+                                   std::to_string(metric(0, 1)) + "; " + std::to_string(metric(1, 0)) + ", " +
+                                   std::to_string(metric(1, 1)) +
+                                   "); metrics must be symmetric and positive definite (zero for no target)");
   if (!(options.target_size_weight >= 0))
     throw Invalid_argument_error("the weight of target sizes must not be negative");
   const Melt_and_freeze_schedule& schedule = options.schedule;
@@ -106,28 +113,14 @@ public:
   Odeco_field_result solve(Gradients& gradients)
   {
     const Stopwatch stopwatch;
-    const bool melts = m_options.integrable && m_options.solver == Field_solver_kind::levenberg_marquardt;
-    const int n_melted = melts ? m_options.starts : 0;
-    m_result.starts.resize(m_options.integrable ? 2 + std::size_t(n_melted) : 1);
-    m_fields.resize(m_result.starts.size());
     // Only its copies factorise, so that no factor is kept longer than it is used.
     const Field_solver<N> analyzed(
         m_elements, melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
         m_options.threads, m_options.observer, m_options.solver, m_options.target_size_weight);
-    compute_smooth_and_relaxed_starts(analyzed);
-    if (n_melted > 0) {
-      const Field_hierarchy<N> hierarchy(m_mesh, m_elements, m_options.schedule, m_options.threads, m_options.observer,
-                                         m_options.target_size_weight);
-      // A factor of 400,000 triangles takes about a gigabyte, so beyond that starts take turns and share the threads.
-      const int at_once = int(std::clamp<std::size_t>(400000 / m_elements.number_of_elements(), 1, 1000));
-      const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
-      parallel_for(
-          std::size_t(n_melted), start_threads,
-          [&](std::size_t i) {
-            compute_melted_start(i, analyzed, start_threads > 1 ? 1 : m_options.threads, hierarchy);
-          },
-          1);
-    }
+    if (m_options.initial_field.empty())
+      compute_starts(analyzed);
+    else
+      compute_initial_start(analyzed);
     choose_start();
 
     const Field_start& chosen = m_result.starts[std::size_t(m_result.chosen)];
@@ -144,6 +137,45 @@ public:
   }
 
 private:
+  void compute_starts(const Field_solver<N>& analyzed)
+  {
+    const bool melts = m_options.integrable && m_options.solver == Field_solver_kind::levenberg_marquardt;
+    const int n_melted = melts ? m_options.starts : 0;
+    m_result.starts.resize(m_options.integrable ? 2 + std::size_t(n_melted) : 1);
+    m_fields.resize(m_result.starts.size());
+    compute_smooth_and_relaxed_starts(analyzed);
+    if (n_melted > 0) {
+      const Field_hierarchy<N> hierarchy(m_mesh, m_elements, m_options.schedule, m_options.threads, m_options.observer,
+                                         m_options.target_size_weight);
+      // A factor of 400,000 triangles takes about a gigabyte, so beyond that starts take turns and share the threads.
+      const int at_once = int(std::clamp<std::size_t>(400000 / m_elements.number_of_elements(), 1, 1000));
+      const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
+      parallel_for(
+          std::size_t(n_melted), start_threads,
+          [&](std::size_t i) {
+            compute_melted_start(i, analyzed, start_threads > 1 ? 1 : m_options.threads, hierarchy);
+          },
+          1);
+    }
+  }
+
+  void compute_initial_start(const Field_solver<N>& analyzed)
+  {
+    const Stopwatch watch;
+    Field_solver<N> solver(analyzed, m_options.threads);
+    m_fields.emplace_back(Eigen::VectorXd::Zero(Eigen::Index(m_elements.number_of_unknowns())));
+    for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v)
+      m_elements.assign_coefficients(
+          v, Tensor_coefficients<N>::from_harmonics(m_position.harmonics(m_options.initial_field[v])), m_fields[0]);
+    if (m_options.integrable)
+      solver.integrate(m_fields[0]);
+    m_result.starts.resize(1);
+    Field_start start;
+    start.kind = Field_start::Kind::initial;
+    start.iterations = solver.iterations();
+    finish_start(0, start, solver, watch);
+  }
+
   /// Unit of length: the domain; unit of sizes: the geometric mean of the prescribed ones.
   Canonical_position canonical_position(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
                                         const std::vector<Constrained_halfedge>& edges) const
@@ -157,12 +189,18 @@ private:
             log_size += std::log(value);
             ++n_sizes;
           }
-    if (n_sizes == 0)
+    if (n_sizes == 0) {
       for (const double size : m_options.target_size)
         if (size > 0) {
           log_size += std::log(size);
           ++n_sizes;
         }
+      for (const Eigen::Matrix2d& metric : m_options.target_metric)
+        if (!metric.isZero(0)) {
+          log_size -= 0.25 * std::log(metric.determinant());
+          ++n_sizes;
+        }
+    }
     const int first = edges.front().halfedge;
     return {points, points[std::size_t(mesh.target(first))] - points[std::size_t(mesh.source(first))],
             n_sizes > 0 ? std::exp(log_size / n_sizes) : 1};
@@ -188,26 +226,52 @@ private:
     std::vector<double> targets = m_options.target_size;
     for (double& size : targets)
       size = m_position.size(size);
-    if (m_options.impose_target_size)
-      for (std::size_t v = 0; v < targets.size(); ++v)
-        if (targets[v] > 0 && !constraints[v].has_size()) {
-          constraints[v].size[0].add(targets[v]);
-          constraints[v].size[1].add(targets[v]);
-        }
-    for (const Vertex_constraint& constraint : constraints) {
+    Vertex_targets wanted;
+    add_metrics(targets, wanted);
+    wanted.weight.resize(targets.size());
+    std::transform(targets.begin(), targets.end(), wanted.weight.begin(), [](double size) { return size > 0 ? 1. : 0.; });
+    for (std::size_t v = 0; v < constraints.size(); ++v) {
       restrictions.emplace_back();
-      restrict_vertex(constraint, restrictions.back());
-      m_result.free_corners += constraint.is_free_corner() ? 1 : 0;
+      if (m_options.impose_target_size && !targets.empty() && targets[v] > 0 && !constraints[v].has_size())
+        impose_target(v, targets[v], constraints[v], restrictions.back());
+      else
+        restrict_vertex(constraints[v], restrictions.back());
+      m_result.free_corners += constraints[v].is_free_corner() ? 1 : 0;
     }
     return Field_elements<N>(mesh, points, local_triangle_sizes(mesh, points), std::move(restrictions),
-                             harmonic_log_sizes(mesh, points, constraints, targets), target_weights(targets));
+                             harmonic_log_sizes(mesh, points, constraints, targets), std::move(wanted));
   }
 
-  static std::vector<double> target_weights(const std::vector<double>& targets)
+  bool has_metric(std::size_t v) const
   {
-    std::vector<double> weights(targets.size());
-    std::transform(targets.begin(), targets.end(), weights.begin(), [](double size) { return size > 0 ? 1. : 0.; });
-    return weights;
+    return !m_options.target_metric.empty() && !m_options.target_metric[v].isZero(0);
+  }
+
+  /// Sizes with the metrics' areas, and what anisotropic fields miss of the metrics.
+  void add_metrics(std::vector<double>& targets, Vertex_targets& wanted) const
+  {
+    targets.resize(std::max(targets.size(), m_options.target_metric.size()), 0);
+    if (N == 5 && !m_options.target_metric.empty())
+      wanted.metric.assign(targets.size(), Metric_residual::Zero());
+    for (std::size_t v = 0; v < m_options.target_metric.size(); ++v)
+      if (has_metric(v)) {
+        const Eigen::Matrix2d metric = m_position.metric(m_options.target_metric[v]);
+        targets[v] = std::pow(metric.determinant(), -0.25);
+        if constexpr (N == 5)
+          wanted.metric[v] = metric_residual(metric);
+      }
+  }
+
+  void impose_target(std::size_t v, double size, Vertex_constraint& constraint, Vertex_restriction<N>& restriction) const
+  {
+    const bool is_on_curve = constraint.is_constrained();
+    constraint.size[0].add(size);
+    constraint.size[1].add(size);
+    restrict_vertex(constraint, restriction);
+    if constexpr (N == 5)
+      if (!is_on_curve && has_metric(v)) // degree 4 stays free, and follows
+        restriction.offset.template head<3>() =
+            low_harmonics(metric_power(m_position.metric(m_options.target_metric[v]), -0.5));
   }
 
   void compute_smooth_and_relaxed_starts(const Field_solver<N>& analyzed)
@@ -322,6 +386,12 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
   if (!options.target_size.empty() && options.target_size.size() != points.size())
     throw Invalid_argument_error("there are " + std::to_string(options.target_size.size()) + " target sizes for " +
                                  std::to_string(points.size()) + " vertices");
+  if (!options.target_metric.empty() && options.target_metric.size() != points.size())
+    throw Invalid_argument_error("there are " + std::to_string(options.target_metric.size()) +
+                                 " target metrics for " + std::to_string(points.size()) + " vertices");
+  if (!options.initial_field.empty() && options.initial_field.size() != points.size())
+    throw Invalid_argument_error("the initial field has " + std::to_string(options.initial_field.size()) +
+                                 " tensors for " + std::to_string(points.size()) + " vertices");
   if (options.isotropic)
     return Planar_field<3>(mesh, points, edges, options, evaluator).solve(gradients);
   return Planar_field<5>(mesh, points, edges, options, evaluator).solve(gradients);
