@@ -66,10 +66,10 @@ struct Meshing_options {
 void mesh_field(const Planar_domain& domain, const Meshing_options& options, Quad_pipeline_result& result)
 {
   result.map = integrate(domain, result.gradients, options.map, result.corner_uv);
-  result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
-                                    domain.region_map(), result.quads, options.extraction,
-                                    Chosen_quantizer(options.quantizer, options.quantization_seconds),
-                                    Curve_projector(domain));
+  result.extraction =
+      extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
+                    domain.region_map(), result.quads, options.extraction,
+                    Chosen_quantizer(options.quantizer, options.quantization_seconds), Curve_projector(domain));
 }
 
 void choose_start(std::size_t start, const std::vector<Gradient_pair>& gradients, Quad_pipeline_result& result)
@@ -131,14 +131,15 @@ void solve_again_around_singularities(const std::vector<Edge_frame_constraint>& 
 {
   Quad_pipeline_result attempt;
   attempt.field = result.field;
-  Field_problem problem = refine_around_singularities(domain, constraints, field_options, result.gradients,
-                                                      result.map->singular_vertices);
+  Field_problem problem =
+      refine_around_singularities(domain, constraints, field_options, result.gradients, result.map->singular_vertices);
   attempt.refined_domain = std::move(problem.domain);
   const Planar_domain& refined = *attempt.refined_domain;
   attempt.gradients.resize(refined.mesh.number_of_faces());
   try {
-    const Odeco_field_result field = odeco_frame_field(refined.mesh, refined.mesh.points(), vector_map(problem.constraints),
-                                                       vector_map(attempt.gradients), problem.options);
+    const Odeco_field_result field =
+        odeco_frame_field(refined.mesh, refined.mesh.points(), vector_map(problem.constraints),
+                          vector_map(attempt.gradients), problem.options);
     attempt.field->energy = field.energy;
     attempt.field->energy_lie = field.energy_lie;
     attempt.field->energy_odeco = field.energy_odeco;

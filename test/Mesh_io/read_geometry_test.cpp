@@ -211,6 +211,62 @@ TEST_F(Read_geometry, arcs_of_a_disk_form_one_chain_on_the_true_circle)
     }
 }
 
+std::string arc_with_radii(double first, double last)
+{
+  std::ostringstream text;
+  text << "Point(1) = {0, 0, 0}; Point(2) = {" << first << ", 0, 0}; Point(3) = {0, " << last << ", 0};\n"
+       << "Line(1) = {1, 2}; Circle(2) = {2, 1, 3}; Line(3) = {3, 1};\n"
+       << "Curve Loop(1) = {1 : 3}; Plane Surface(1) = {1};\n";
+  return text.str();
+}
+
+TEST_F(Read_geometry, arcs_that_nearly_end_at_their_points_are_bent_to_end_there)
+{
+  const Planar_domain domain = read_planar_domain(write("arc.geo", arc_with_radii(1, 1.004)));
+  ASSERT_EQ(domain.notes.size(), 1u);
+  EXPECT_NE(domain.notes[0].find("curve 2 misses its end points"), std::string::npos) << domain.notes[0];
+  double last_radius = 1;
+  for (const auto& curve : domain.curves)
+    if (curve.tag == 2)
+      for (const auto h : curve.path) { // from one radius to the other without a jump
+        const auto& p = domain.mesh.point(domain.mesh.target(h));
+        const double radius = std::hypot(p.x(), p.y());
+        EXPECT_LT(std::abs(radius - last_radius), 0.002);
+        last_radius = radius;
+      }
+  EXPECT_NEAR(last_radius, 1.004, 1e-12);
+  EXPECT_TRUE(read_planar_domain(write("exact.geo", arc_with_radii(1, 1))).notes.empty());
+  try {
+    read_planar_domain(write("bad.geo", arc_with_radii(1, 1.1)));
+    FAIL();
+  } catch (const Invalid_input_error& error) {
+    EXPECT_NE(std::string(error.what()).find("curve 2 misses its end points by 0.1"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(Read_geometry, straight_lines_far_from_the_origin_are_straight)
+{
+  const std::string geometry =
+      "x = 4.04e7; y = 3.56e6;\n"
+      "Point(1) = {x, y, 0}; Point(2) = {x + 900, y + 320, 0}; Point(3) = {x + 410, y + 870, 0};\n"
+      "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 1};\n"
+      "Curve Loop(1) = {1 : 3}; Plane Surface(1) = {1};\n";
+  const Planar_domain domain = read_planar_domain(write("triangle.geo", geometry));
+  for (const auto& curve : domain.curves) {
+    const auto direction = domain.mesh.point(curve.last) - domain.mesh.point(curve.first);
+    const double length = std::sqrt(direction.squared_length());
+    for (const auto h : curve.path) {
+      const auto e = domain.mesh.edge(h);
+      const std::array<double, 4>& tangent = domain.edge_tangents[e.idx()];
+      for (const int i : {0, 2})
+        EXPECT_NEAR(std::abs(tangent[std::size_t(i)] * direction.y() - tangent[std::size_t(i) + 1] * direction.x()) /
+                        length,
+                    0, 1e-12);
+    }
+  }
+}
+
 TEST_F(Read_geometry, narrow_gaps_and_small_holes_are_refined)
 {
   const std::string hole = circle("2", 0.5, 0.05, 0.04, 100); // 0.01 from the bottom

@@ -112,13 +112,43 @@ TEST(Size_specification, contradictions_are_refused)
 TEST(Size_specification, number_of_quads_is_estimated)
 {
   const Planar_domain domain = strip(40);
-  EXPECT_NEAR(estimate_number_of_quads(domain, apply(domain, {"0.1"})), 4000, 1e-6);
-  EXPECT_NEAR(estimate_number_of_quads(domain, apply(domain, {"0.5", "bottom=0.2x0.5", "top=0.2x0.5"})), 400, 4);
+  EXPECT_NEAR(estimate_number_of_quads(domain, apply(domain, {"0.1"})), 4000, 0.1);
+  EXPECT_NEAR(estimate_number_of_quads(domain, apply(domain, {"0.5", "bottom=0.2x0.5", "top=0.2x0.5"})), 400, 8);
   EXPECT_EQ(estimate_number_of_quads(domain, apply(domain, {"top=free"})), 0);
   // From 1 to 4 along the strip: the integral of 1 / h^2 is 40 / (1 * 4) = 10.
   const double n = estimate_number_of_quads(domain, apply(domain, {"bottom=1:4", "top=4:1"}));
   EXPECT_GT(n, 8);
   EXPECT_LT(n, 13);
+}
+
+TEST(Size_specification, estimate_grows_with_the_distance_from_small_sizes)
+{
+  // Sizes proportional to the radius, from 0.001 to 1, have log sizes that are harmonic: 2 pi log(1000) / 0.1^2
+  // elements of a tenth of the radius. The sizes of the nearest curves alone would ask for ten thousand times as many.
+  Labelled_mesh mesh;
+  const int n_rings = 60, n_around = 40;
+  for (int i = 0; i <= n_rings; ++i)
+    for (int j = 0; j < n_around; ++j) {
+      const double r = std::pow(10, -3.0 * (n_rings - i) / n_rings), t = 2 * CGAL_PI * j / n_around;
+      mesh.points.push_back({r * std::cos(t), r * std::sin(t), 0});
+    }
+  for (int i = 0; i < n_rings; ++i)
+    for (int j = 0; j < n_around; ++j) {
+      const int a = i * n_around + j, b = i * n_around + (j + 1) % n_around;
+      mesh.polygons.push_back({a, a + n_around, b + n_around});
+      mesh.polygons.push_back({a, b + n_around, b});
+    }
+  const Planar_domain domain = make_planar_domain(mesh, "annulus");
+  Domain_sizes sizes;
+  sizes.of_edge.resize(domain.mesh.number_of_edges());
+  for (const auto e : domain.mesh.edges())
+    if (domain.edge_curve[e.idx()] >= 0)
+      for (const int end : {0, 1}) {
+        const auto& p = domain.mesh.point(domain.mesh.vertex(e, unsigned(end)));
+        sizes.of_edge[e.idx()][std::size_t(end)] = Frame_size(0.1 * std::hypot(p.x(), p.y()));
+      }
+  const double expected = 2 * CGAL_PI * std::log(1000.0) / 0.01;
+  EXPECT_NEAR(estimate_number_of_quads(domain, sizes), expected, 0.05 * expected);
 }
 
 TEST(Size_specification, linear_sizes_run_along_the_joined_curves)

@@ -84,8 +84,8 @@ template <int N, class Make_energy> void expect_right_derivatives(const Make_ene
   Vertex_targets targets{{1, 0.5, 0, 1}, {4, Metric_residual::Zero()}};
   for (const std::size_t v : {0, 2, 3})
     targets.metric[v] = Metric_residual::NullaryExpr([&] { return uniform(engine); });
-  const Field_elements<N> elements(triangles.indexed(), triangles.points, {0.7, 0.9}, restrictions,
-                                   {0.1, -0.2, 0.3, 0}, targets);
+  const Field_elements<N> elements(triangles.indexed(), triangles.points, {0.7, 0.9}, restrictions, {0.1, -0.2, 0.3, 0},
+                                   targets);
   const auto energy = make_energy(elements);
   for (int repeat = 0; repeat < 10; ++repeat) {
     std::vector<Eigen::Matrix<double, 3 * N, 1>> unknowns;

@@ -252,9 +252,7 @@ TEST(Odeco_frame_field, an_initial_field_replaces_the_starts)
   for (Eigen::Vector2d& p : triangles.points)
     p = Eigen::Rotation2Dd(0.4) * p;
   const Mesh mesh = triangles.surface_mesh();
-  const auto size = [](const Kernel::Point_2& p) {
-    return 1 + 0.05 * (std::cos(0.4) * p.y() - std::sin(0.4) * p.x());
-  };
+  const auto size = [](const Kernel::Point_2& p) { return 1 + 0.05 * (std::cos(0.4) * p.y() - std::sin(0.4) * p.x()); };
   Odeco_field_options options = quick(2);
   const Field melted = boundary_field(mesh, size, options);
   options.initial_field = melted.result.harmonics;
@@ -265,7 +263,8 @@ TEST(Odeco_frame_field, an_initial_field_replaces_the_starts)
   EXPECT_GT(again.result.energy, melted.result.energy * (1 - 1e-3)); // it was nearly a minimum
   EXPECT_LE(again.result.iterations, 3);
   for (const auto v : mesh.vertices())
-    EXPECT_LT((again.result.harmonics[v] - melted.result.harmonics[v]).norm(), 0.02 * melted.result.harmonics[v].norm());
+    EXPECT_LT((again.result.harmonics[v] - melted.result.harmonics[v]).norm(),
+              0.02 * melted.result.harmonics[v].norm());
   options.initial_field.pop_back();
   EXPECT_THROW(boundary_field(mesh, size, options), Invalid_argument_error);
 }

@@ -144,9 +144,8 @@ TEST(Target_metrics, alone_decide_sizes_and_directions)
       options.isotropic = false;
       options.impose_target_size = impose;
       const Eigen::Matrix2d metric = (wanted * wanted).inverse() / (scale * scale);
-      options.target_metric = sample_target_metrics(mesh, mesh.points(), [&](const auto&) -> Eigen::Matrix2d {
-        return 0.5 * (metric + metric.transpose());
-      });
+      options.target_metric = sample_target_metrics(
+          mesh, mesh.points(), [&](const auto&) -> Eigen::Matrix2d { return 0.5 * (metric + metric.transpose()); });
       for (const Gradient_pair& pair : gradients_with(mesh, 0, false, options))
         EXPECT_LT((size_matrix_of(pair) / scale - wanted).norm(), 1e-5);
     }

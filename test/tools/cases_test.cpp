@@ -130,17 +130,16 @@ TEST_P(Published_errors, are_not_exceeded)
   EXPECT_GT(json["field"]["triangles"], json["input"]["faces"]); // those around singularities were refined
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Planar_2, Published_errors,
-    testing::Values(Published_error{"square_1_2", "square_1_2", "", 7.96e-4},
-                    Published_error{"square_1_10", "square_1_10", "", 3.31e-3},
-                    Published_error{"square_ends_anisotropic", "square_1_2",
-                                    "--anisotropic --size left=free --size right=free", 3.90e-4},
-                    Published_error{"tilted", "tilted_squares", "--triangle-size 2.35", 3.85e-3},
-                    Published_error{"tilted_anisotropic", "tilted_squares", "--triangle-size 2.35 --anisotropic",
-                                    2.67e-3},
-                    Published_error{"annulus", "annulus", "--triangle-size 2.04", 1.40e-2}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Planar_2, Published_errors,
+                         testing::Values(Published_error{"square_1_2", "square_1_2", "", 7.96e-4},
+                                         Published_error{"square_1_10", "square_1_10", "", 3.31e-3},
+                                         Published_error{"square_ends_anisotropic", "square_1_2",
+                                                         "--anisotropic --size left=free --size right=free", 3.90e-4},
+                                         Published_error{"tilted", "tilted_squares", "--triangle-size 2.35", 3.85e-3},
+                                         Published_error{"tilted_anisotropic", "tilted_squares",
+                                                         "--triangle-size 2.35 --anisotropic", 2.67e-3},
+                                         Published_error{"annulus", "annulus", "--triangle-size 2.04", 1.40e-2}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST_F(Invariance, files_are_identical_for_every_number_of_threads)
 {

@@ -9,10 +9,10 @@
 
 namespace Quadrille {
 
-/// About how many quads the sizes ask for, before anything is computed: every triangle counts with the sizes of the
-/// curve point that is nearest along edges. Off by a factor of about two at most, where sizes differ much.
+/// About how many quads the sizes ask for, before anything is computed: between the curves, the logarithms of sizes are
+/// interpolated harmonically, as they are in a field without singularities.
 ///
-/// \return 0 if no sizes are prescribed. Complexity: O(n log n).
+/// \return 0 if no sizes are prescribed. Complexity: O(n^1.5) (conjugate gradients).
 double estimate_number_of_quads(const Planar_domain& domain, const Domain_sizes& sizes);
 
 } // namespace Quadrille

@@ -55,9 +55,9 @@ struct Odeco_field_options {
   /// Element sizes wanted inside, per vertex in the order of `vertices(mesh)` and in the mesh's unit; 0 where none is
   /// wanted; empty: nowhere. See `sample_target_sizes()`. Sizes on constrained edges take precedence.
   std::vector<double> target_size;
-  /// The same with directions: per vertex a symmetric positive definite metric M (unit: 1 / size^2) in which the edges d
-  /// of elements should have length 1, d^T M d = 1; zero where none is wanted; empty: nowhere. Where both are given, the
-  /// metric counts. Of isotropic frames it asks for the size det(M)^(-1/4).
+  /// The same with directions: per vertex a symmetric positive definite metric M (unit: 1 / size^2) in which the edges
+  /// d of elements should have length 1, d^T M d = 1; zero where none is wanted; empty: nowhere. Where both are given,
+  /// the metric counts. Of isotropic frames it asks for the size det(M)^(-1/4).
   std::vector<Eigen::Matrix2d> target_metric;
   /// Weight of the mean of log(size / target)^2 over where there is a target, and in anisotropic fields of that of
   /// |M^(1/4) S M^(1/4) - I|^2, where S has the sizes as eigenvalues and the directions as eigenvectors. A larger one

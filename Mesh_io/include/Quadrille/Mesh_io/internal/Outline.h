@@ -35,9 +35,18 @@ struct Outline {
     /// Dense samples from first to last: parameter, arc length from the first point, position.
     std::vector<double> parameter, arc_length;
     std::vector<Point_2> position;
+    /// By how much the geometry library's curve misses its first and its last point; in between, linear in the
+    /// parameter.
+    std::array<Segment_kernel::Vector_2, 2> end_gap = {CGAL::NULL_VECTOR, CGAL::NULL_VECTOR};
     int n_surfaces = 0; ///< how many surfaces it bounds
 
     double length() const { return arc_length.back(); }
+    /// What has to be added to the geometry library's point at parameter `t`.
+    Segment_kernel::Vector_2 correction_at(double t) const
+    {
+      const double w = (t - parameter.front()) / (parameter.back() - parameter.front());
+      return (1 - w) * end_gap[0] + w * end_gap[1];
+    }
     bool closed() const { return first == last; }
 
     /// The parameter of the point at arc length `s`, linear between samples.
@@ -75,6 +84,7 @@ struct Outline {
   std::vector<Curve> curves;
   std::vector<Surface> surfaces;
   std::vector<Physical_group> groups;
+  std::vector<std::string> notes; ///< what the user should know
   double z = 0;
 
   CGAL::Bbox_2 bbox() const

@@ -6,78 +6,107 @@
 
 #include <Quadrille/estimate_quads.h>
 
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <queue>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace Quadrille {
 namespace internal {
 
-/// Carries the sizes on curves to all vertices, each from the nearest point along edges.
+/// Carries the sizes on curves to all vertices: the harmonic extension of their logarithms, which is what an isotropic
+/// field without singularities has.
 class Size_spreader {
 public:
   Size_spreader(const Planar_domain& domain, const Domain_sizes& sizes)
-      : m_mesh(domain.mesh), m_area(m_mesh.number_of_vertices(), 0),
-        m_distance(m_mesh.number_of_vertices(), std::numeric_limits<double>::infinity())
+      : m_mesh(domain.mesh), m_log_area(m_mesh.number_of_vertices(), 0), m_n_sizes(m_mesh.number_of_vertices(), 0)
   {
     for (const auto e : m_mesh.edges())
       for (const std::size_t end : {0u, 1u}) {
         const auto h = m_mesh.halfedge(e);
-        add_source(end == 0 ? m_mesh.source(h) : m_mesh.target(h), sizes.of_edge[e.idx()][end]);
+        add_size(end == 0 ? m_mesh.source(h) : m_mesh.target(h), sizes.of_edge[e.idx()][end]);
       }
+    // Where curves with different sizes meet, the mean counts.
+    for (std::size_t v = 0; v < m_log_area.size(); ++v)
+      m_log_area[v] /= std::max(1, m_n_sizes[v]);
     spread();
   }
 
-  /// Of an element at vertex `v`; 0 if there are no sizes.
-  double element_area(Planar_domain::vertex_descriptor v) const { return m_area[v.idx()]; }
+  bool has_sizes() const
+  {
+    return std::any_of(m_n_sizes.begin(), m_n_sizes.end(), [](int n) { return n > 0; });
+  }
+  /// Of an element at vertex `v`. \pre `has_sizes()`
+  double element_area(Planar_domain::vertex_descriptor v) const { return std::exp(m_log_area[v.idx()]); }
 
 private:
-  void add_source(Planar_domain::vertex_descriptor v, const Frame_size& size)
+  void add_size(Planar_domain::vertex_descriptor v, const Frame_size& size)
   {
     if (size.is_free())
       return;
     const double normal = size.normal > 0 ? size.normal : size.tangential;
     const double tangential = size.tangential > 0 ? size.tangential : size.normal;
-    // Where curves with different sizes meet, the mean counts.
-    const double area = normal * tangential;
-    m_area[v.idx()] = m_area[v.idx()] > 0 ? std::sqrt(m_area[v.idx()] * area) : area;
-    m_distance[v.idx()] = 0;
+    m_log_area[v.idx()] += std::log(normal) + std::log(tangential);
+    ++m_n_sizes[v.idx()];
   }
 
   void spread()
   {
-    using Entry = std::pair<double, Planar_domain::vertex_descriptor>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    for (const auto v : m_mesh.vertices())
-      if (m_distance[v.idx()] == 0)
-        queue.emplace(0, v);
-    while (!queue.empty()) {
-      const auto [distance, v] = queue.top();
-      queue.pop();
-      if (distance > m_distance[v.idx()])
-        continue;
-      for (const auto h : CGAL::halfedges_around_source(v, m_mesh)) {
-        const auto w = m_mesh.target(h);
-        const auto d = m_mesh.point(w) - m_mesh.point(v);
-        const double longer = distance + std::hypot(d.x(), d.y());
-        if (longer < m_distance[w.idx()]) {
-          m_distance[w.idx()] = longer;
-          m_area[w.idx()] = m_area[v.idx()];
-          queue.emplace(longer, w);
-        }
+    std::vector<int> unknown(m_log_area.size(), -1);
+    int n = 0;
+    for (std::size_t v = 0; v < m_log_area.size(); ++v)
+      if (m_n_sizes[v] == 0)
+        unknown[v] = n++;
+    if (n == 0 || !has_sizes())
+      return;
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
+    for (const auto e : m_mesh.edges()) {
+      const std::size_t a = m_mesh.vertex(e, 0).idx(), b = m_mesh.vertex(e, 1).idx();
+      const double weight = edge_weight(e);
+      for (const auto& [v, w] : {std::pair(a, b), std::pair(b, a)}) {
+        if (unknown[v] < 0)
+          continue;
+        entries.emplace_back(unknown[v], unknown[v], weight);
+        if (unknown[w] >= 0)
+          entries.emplace_back(unknown[v], unknown[w], -weight);
+        else
+          load[unknown[v]] += weight * m_log_area[w];
       }
     }
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    // An estimate needs no more digits.
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);
+    solver.setTolerance(1e-4);
+    const Eigen::VectorXd solution = solver.solve(load);
+    for (std::size_t v = 0; v < unknown.size(); ++v)
+      if (unknown[v] >= 0)
+        m_log_area[v] = solution[unknown[v]];
+  }
+
+  /// Half the cotangents of the angles opposite to the edge; positive, so that no extension leaves the range of the
+  /// sizes on the curves, also where triangles are not Delaunay.
+  double edge_weight(Planar_domain::edge_descriptor e) const
+  {
+    double sum = 0;
+    for (const auto h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))}) {
+      if (m_mesh.is_border(h))
+        continue;
+      const auto& apex = m_mesh.point(m_mesh.target(m_mesh.next(h)));
+      const auto u = m_mesh.point(m_mesh.source(h)) - apex, v = m_mesh.point(m_mesh.target(h)) - apex;
+      sum += 0.5 * (u * v) / (u.x() * v.y() - u.y() * v.x());
+    }
+    return std::max(sum, 1e-3);
   }
 
   const Planar_domain::Mesh& m_mesh;
-  std::vector<double> m_area;     ///< of elements, by vertex
-  std::vector<double> m_distance; ///< from the nearest vertex with sizes
+  std::vector<double> m_log_area; ///< of elements, by vertex
+  std::vector<int> m_n_sizes;     ///< given there
 };
 
 } // namespace internal
@@ -85,14 +114,15 @@ private:
 inline double estimate_number_of_quads(const Planar_domain& domain, const Domain_sizes& sizes)
 {
   const internal::Size_spreader spreader(domain, sizes);
+  if (!spreader.has_sizes())
+    return 0;
   double n = 0;
   for (const auto f : domain.mesh.faces()) {
     const auto h = domain.mesh.halfedge(f);
     const auto a = domain.mesh.source(h), b = domain.mesh.target(h), c = domain.mesh.target(domain.mesh.next(h));
     const double area = CGAL::area(domain.mesh.point(a), domain.mesh.point(b), domain.mesh.point(c));
     for (const auto v : {a, b, c})
-      if (spreader.element_area(v) > 0)
-        n += area / 3 / spreader.element_area(v);
+      n += area / 3 / spreader.element_area(v);
   }
   return n;
 }

@@ -11,6 +11,9 @@
 #include <Quadrille/Mesh_io/internal/files.h>
 #include <Quadrille/Mesh_io/internal/point_sizes.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
@@ -51,7 +54,7 @@ public:
     gmsh::model::getValue(1, curve.label.tag, parameters, xyz);
     std::vector<Point_2> points;
     for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
-      points.emplace_back(xyz[i], xyz[i + 1]);
+      points.push_back(Point_2(xyz[i], xyz[i + 1]) + curve.correction_at(parameters[i / 3]));
     return points;
   }
 
@@ -228,13 +231,33 @@ private:
     }
     curve.first = nearest(curve.position.front());
     curve.last = nearest(curve.position.back());
-    for (const auto& [sample, point] : {std::pair<Point_2&, int>(curve.position.front(), curve.first),
-                                        std::pair<Point_2&, int>(curve.position.back(), curve.last)}) {
-      const Point_2& exact = m_outline.points[std::size_t(point)].position;
-      if (distance(sample, exact) > 1e-3 * curve.length())
-        fail("curve " + std::to_string(curve.label.tag) + " does not end at its end points");
-      sample = exact;
-    }
+    close_gaps(curve);
+  }
+
+  /// Circular arcs whose end points have different distances from the centre, for instance, miss one of them.
+  void close_gaps(Outline::Curve& curve)
+  {
+    const Point_2 &first = m_outline.points[std::size_t(curve.first)].position,
+                  &last = m_outline.points[std::size_t(curve.last)].position;
+    curve.end_gap = {first - curve.position.front(), last - curve.position.back()};
+    const double gap = std::sqrt(std::max(curve.end_gap[0].squared_length(), curve.end_gap[1].squared_length()));
+    const std::string text = "curve " + std::to_string(curve.label.tag) + " misses its end points by " +
+                             format_length(gap) + " (its length is " + format_length(curve.length()) + ")";
+    if (gap > 1e-2 * curve.length())
+      fail(text + "; an arc's ends, for instance, must have the same distance from its centre");
+    if (gap > 1e-6 * curve.length())
+      m_outline.notes.push_back(text + ", and was bent to end there");
+    for (std::size_t i = 0; i < curve.position.size(); ++i)
+      curve.position[i] = curve.position[i] + curve.correction_at(curve.parameter[i]);
+    curve.position.front() = first;
+    curve.position.back() = last;
+  }
+
+  static std::string format_length(double length)
+  {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", length);
+    return text;
   }
 
   static double turn(const Point_2& a, const Point_2& b, const Point_2& c)

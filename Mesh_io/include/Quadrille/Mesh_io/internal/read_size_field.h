@@ -64,8 +64,7 @@ inline std::vector<Size_place> parse_size_places(const std::string& text, const 
       double value = 0;
       const auto [next, error] = std::from_chars(at, end, value);
       if (error != std::errc() || (next != end && *next != ' ') || !std::isfinite(value))
-        fail(form + ", and what stands in column " + std::to_string(at - line.data() + 1) +
-             " is not a finite number");
+        fail(form + ", and what stands in column " + std::to_string(at - line.data() + 1) + " is not a finite number");
       values.push_back(value);
       at = next;
     }
@@ -145,8 +144,8 @@ inline std::vector<double> probe_view(const std::string& path, const Planar_doma
       return values;
     };
     const auto vertices = domain.mesh.vertices();
-    const bool has_tensors = std::any_of(vertices.begin(), vertices.end(),
-                                         [&](auto v) { return !probe(domain.mesh.point(v), 9).empty(); });
+    const bool has_tensors =
+        std::any_of(vertices.begin(), vertices.end(), [&](auto v) { return !probe(domain.mesh.point(v), 9).empty(); });
     for (const auto v : vertices) {
       const auto& p = domain.mesh.point(v);
       const std::vector<double> values = probe(p, has_tensors ? 9 : 1);

@@ -56,10 +56,7 @@ private:
     const halfedge_descriptor h = m_mesh.halfedge(f);
     return CGAL::area(source(h), source(m_mesh.next(h)), apex(h));
   }
-  bool is_on_curve(halfedge_descriptor h) const
-  {
-    return m_domain.edge_curve[std::size_t(m_mesh.edge(h).idx())] >= 0;
-  }
+  bool is_on_curve(halfedge_descriptor h) const { return m_domain.edge_curve[std::size_t(m_mesh.edge(h).idx())] >= 0; }
 
   /// Halfedge of a face's longest edge that is not on a curve, the same edge for both of its faces where lengths are
   /// equal; null if there is none.

@@ -38,6 +38,19 @@ inline std::vector<std::array<double, 2>> tangents_at(const Outline::Curve& curv
   return tangents;
 }
 
+/// The geometry library's derivatives are differences, which are no longer exact far from the origin; those of straight
+/// lines can be.
+inline std::vector<std::array<double, 2>> tangents_of(const Outline& outline, const Outline::Curve& curve,
+                                                      const std::vector<double>& parameters)
+{
+  if (!curve.straight)
+    return tangents_at(curve, parameters);
+  const Point_2 p = outline.points[std::size_t(curve.first)].position,
+                q = outline.points[std::size_t(curve.last)].position;
+  const double length = std::hypot(q.x() - p.x(), q.y() - p.y());
+  return std::vector<std::array<double, 2>>(parameters.size(), {(q.x() - p.x()) / length, (q.y() - p.y()) / length});
+}
+
 /// \param unit `outline` in the coordinates in which `field` is given
 inline Segmented_outline segment_outline(const Outline& outline, const Outline& unit, const Triangle_size_field& field)
 {
@@ -50,7 +63,7 @@ inline Segmented_outline segment_outline(const Outline& outline, const Outline& 
     std::vector<double> parameters;
     for (const double s : division)
       parameters.push_back(unit.curves[c].parameter_at(s));
-    const std::vector<std::array<double, 2>> tangents = tangents_at(curve, parameters);
+    const std::vector<std::array<double, 2>> tangents = tangents_of(outline, curve, parameters);
     std::vector<Point_2> inner;
     if (parameters.size() > 2)
       inner = Outline_loader::evaluate(curve, {parameters.begin() + 1, parameters.end() - 1});
@@ -125,6 +138,7 @@ inline Geometry_triangulation triangulate_geometry(const std::string& path, cons
     Gmsh_session::call(path, [&] { segmented = segment_outline(outline, unit, *field); });
   }
   checker.check_segments(segmented, !result.notes.empty());
+  result.notes.insert(result.notes.end(), outline.notes.begin(), outline.notes.end());
 
   Segmented_outline unit_segmented = segmented;
   for (Point_2& p : unit_segmented.points)

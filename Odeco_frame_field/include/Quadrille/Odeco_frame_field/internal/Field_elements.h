@@ -29,7 +29,7 @@ template <int N> struct Vertex_restriction {
 
 /// What is wanted at vertices without being prescribed. Empty vectors: nowhere.
 struct Vertex_targets {
-  std::vector<double> weight;         ///< how much the expected size is a target of the user's, 0 to 1
+  std::vector<double> weight;          ///< how much the expected size is a target of the user's, 0 to 1
   std::vector<Metric_residual> metric; ///< zero where there is no metric
 
   Vertex_targets at(const std::vector<int>& vertices) const

@@ -14,8 +14,8 @@ namespace Quadrille {
 namespace internal {
 
 /// How far a frame is from a metric M, affine in (q0, q1, q2, 1): the entries xx, yy and sqrt(2) xy of K S K - I, where
-/// K = M^(1/4) and S has the frame's sizes as eigenvalues and its directions as eigenvectors. It vanishes for the frames
-/// whose edges have length 1 in M; the degree 4 coefficients do not matter.
+/// K = M^(1/4) and S has the frame's sizes as eigenvalues and its directions as eigenvectors. It vanishes for the
+/// frames whose edges have length 1 in M; the degree 4 coefficients do not matter.
 using Metric_residual = Eigen::Matrix<double, 3, 4>;
 
 /// The coefficients (q0, q1, q2) of the frames with the matrix S: of degree 0 and 2, so linear in it.

@@ -229,7 +229,8 @@ private:
     Vertex_targets wanted;
     add_metrics(targets, wanted);
     wanted.weight.resize(targets.size());
-    std::transform(targets.begin(), targets.end(), wanted.weight.begin(), [](double size) { return size > 0 ? 1. : 0.; });
+    std::transform(targets.begin(), targets.end(), wanted.weight.begin(),
+                   [](double size) { return size > 0 ? 1. : 0.; });
     for (std::size_t v = 0; v < constraints.size(); ++v) {
       restrictions.emplace_back();
       if (m_options.impose_target_size && !targets.empty() && targets[v] > 0 && !constraints[v].has_size())
@@ -262,7 +263,8 @@ private:
       }
   }
 
-  void impose_target(std::size_t v, double size, Vertex_constraint& constraint, Vertex_restriction<N>& restriction) const
+  void impose_target(std::size_t v, double size, Vertex_constraint& constraint,
+                     Vertex_restriction<N>& restriction) const
   {
     const bool is_on_curve = constraint.is_constrained();
     constraint.size[0].add(size);
@@ -387,8 +389,8 @@ inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
     throw Invalid_argument_error("there are " + std::to_string(options.target_size.size()) + " target sizes for " +
                                  std::to_string(points.size()) + " vertices");
   if (!options.target_metric.empty() && options.target_metric.size() != points.size())
-    throw Invalid_argument_error("there are " + std::to_string(options.target_metric.size()) +
-                                 " target metrics for " + std::to_string(points.size()) + " vertices");
+    throw Invalid_argument_error("there are " + std::to_string(options.target_metric.size()) + " target metrics for " +
+                                 std::to_string(points.size()) + " vertices");
   if (!options.initial_field.empty() && options.initial_field.size() != points.size())
     throw Invalid_argument_error("the initial field has " + std::to_string(options.initial_field.size()) +
                                  " tensors for " + std::to_string(points.size()) + " vertices");
