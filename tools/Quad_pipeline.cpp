@@ -146,7 +146,7 @@ void solve_again_around_singularities(const std::vector<Edge_frame_constraint>& 
     attempt.field->iterations += field.iterations;
     attempt.field->seconds += field.seconds;
     mesh_field(refined, meshing, attempt);
-  } catch (const No_result_error&) {
+  } catch (const Error&) { // also where the finer triangles are too small for doubles
     return;
   }
   const double refined_score = mesh_score(refined, problem.constraints, field_options.isotropic, attempt);

@@ -52,8 +52,13 @@ po::options_description quad_options()
   options.add_options()("size", po::value<Strings>()->value_name("SIZE"),
                         "element size, repeatable: S everywhere, NAME=S on a physical group or curve tag, "
                         "NAME=A:B linear along it, NAME=NxT normal x tangential, NAME=free");
-  options.add_options()("size-field", po::value<Strings>()->value_name("F"),
-                        "sizes wanted inside: a Gmsh view (.pos .msh) or lines 'x y size [radius]' (.txt .csv)");
+  options.add_options()("unaligned", po::value<Strings>()->value_name("NAME"),
+                        "a physical group or curve tag inside that elements need not follow, repeatable; sizes "
+                        "prescribed there still hold");
+  options.add_options()(
+      "size-field", po::value<Strings>()->value_name("F"),
+      "sizes wanted inside: a Gmsh view of sizes or metrics (.pos .msh), or lines 'x y size [radius]' "
+      "or 'x y size size angle [radius]' (.txt .csv)");
   options.add_options()("size-field-weight", po::value<Strings>()->value_name("W"),
                         "how much they matter against integrability (default 10)");
   options.add_options()("impose-size-field", "fix these sizes instead of attracting to them");
@@ -171,6 +176,7 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   result.picture = options.one("picture");
   result.json = options.one("json");
   result.sizes = options.all("size");
+  result.unaligned = options.all("unaligned");
   result.size_field = options.one("size-field");
   result.size_field_weight = options.number("size-field-weight", result.size_field_weight, 0.0);
   result.impose_size_field = options.has("impose-size-field");

@@ -23,8 +23,9 @@ struct Quad_arguments {
   std::vector<std::string> outputs;      ///< the mesh in one or more formats
   std::string field, map, picture, json; ///< further files to write; empty: none
   std::vector<std::string> sizes;
-  double triangle_size = 0; ///< 0: chosen from the domain
-  std::string size_field;   ///< file with sizes inside; empty: none
+  double triangle_size = 0;           ///< 0: chosen from the domain
+  std::vector<std::string> unaligned; ///< names of curves that elements need not follow
+  std::string size_field;             ///< file with sizes inside; empty: none
   double size_field_weight = Odeco_field_options().target_size_weight;
   bool impose_size_field = false;
   std::size_t max_quads = 1000000; ///< sizes that ask for more are refused

@@ -3,7 +3,7 @@
 
 #include "count_option.h"
 
-#include <Quadrille/Size_specification.h>
+#include <Quadrille/domain_curves.h>
 #include <Quadrille/exceptions.h>
 
 #include <charconv>
@@ -32,10 +32,10 @@ std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_reques
   std::vector<Curve_count> counts;
   std::map<int, std::string> request_of; // by curve
   for (const Count_request& request : requests) {
-    const std::vector<int> curves = internal::curves_named(domain, request.name);
+    const std::vector<int> curves = curves_named(domain, request.name);
     if (curves.empty())
       throw Invalid_argument_error("option --count: there is no curve named '" + request.name + "' in " +
-                                   domain.source + " (" + internal::list_of_names(domain) + ")");
+                                   domain.source + " (" + list_of_curve_names(domain) + ")");
     std::map<int, int> new_chain; // by old chain
     for (const int c : curves) {
       const auto [place, is_new] = request_of.emplace(c, request.name);

@@ -11,6 +11,7 @@
 
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Size_specification.h>
+#include <Quadrille/domain_curves.h>
 #include <Quadrille/estimate_quads.h>
 #include <Quadrille/read_planar_domain.h>
 #include <Quadrille/read_size_field.h>
@@ -56,8 +57,11 @@ void check_outputs(const Quad_arguments& arguments)
 std::vector<Edge_frame_constraint> constraints_of(const Planar_domain& domain, const Domain_sizes& sizes)
 {
   std::vector<Edge_frame_constraint> constraints(domain.mesh.number_of_edges());
-  for (std::size_t e = 0; e < constraints.size(); ++e)
-    constraints[e] = {domain.edge_curve[e] >= 0, true, sizes.of_edge[e][0], sizes.of_edge[e][1]};
+  for (std::size_t e = 0; e < constraints.size(); ++e) {
+    const bool is_on_curve = domain.edge_curve[e] >= 0;
+    const bool has_size = !sizes.of_edge[e][0].is_free() || !sizes.of_edge[e][1].is_free();
+    constraints[e] = {is_on_curve || has_size, is_on_curve, sizes.of_edge[e][0], sizes.of_edge[e][1]};
+  }
   return constraints;
 }
 
@@ -109,6 +113,7 @@ private:
                                    "': different sizes across and along a curve need anisotropic frames; add "
                                    "--anisotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
+    remove_unaligned_curves();
     check_number_of_quads();
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     if (!m_arguments.size_field.empty())
@@ -125,6 +130,19 @@ private:
     for (const auto* notes : {&m_domain.notes, &m_sizes.notes})
       for (const std::string& note : *notes)
         m_console.print(note);
+  }
+
+  void remove_unaligned_curves()
+  {
+    std::set<int> curves;
+    for (const std::string& name : m_arguments.unaligned) {
+      const std::vector<int> named = curves_named(m_domain, name);
+      if (named.empty())
+        throw Invalid_argument_error("option --unaligned: there is no curve named '" + name + "' in " +
+                                     m_domain.source + " (" + list_of_curve_names(m_domain) + ")");
+      curves.insert(named.begin(), named.end());
+    }
+    remove_curves(m_domain, {curves.begin(), curves.end()});
   }
 
   /// A size that is too small by mistake should not cost hours and all memory.

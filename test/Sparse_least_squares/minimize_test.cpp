@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace {
@@ -35,6 +37,32 @@ struct Rosenbrock_chain {
     r << 10 * (x[1] - x[0] * x[0]), 1 - x[0];
     if (J)
       *J << -20 * x[0] + slope_error, 10, -1, 0;
+    return true;
+  }
+};
+
+/// Rosenbrock's function in turned coordinates.
+struct Turned_rosenbrock {
+  static constexpr int max_residuals = 2;
+  static constexpr int max_unknowns = 2;
+  using Unknowns = Eigen::Vector2d;
+  using Residuals = Eigen::Vector2d;
+  using Jacobian = Eigen::Matrix2d;
+  double angle = 0;
+
+  std::size_t number_of_elements() const { return 1; }
+  int element_unknowns(std::size_t, std::array<int, 2>& index) const
+  {
+    index = {0, 1};
+    return 2;
+  }
+  bool evaluate(std::size_t, const Unknowns& y, Residuals& r, Jacobian* J) const
+  {
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-angle).toRotationMatrix();
+    const Eigen::Vector2d x = turn * y;
+    r << 10 * (x[1] - x[0] * x[0]), 1 - x[0];
+    if (J)
+      *J = (Eigen::Matrix2d() << -20 * x[0], 10, -1, 0).finished() * turn;
     return true;
   }
 };
@@ -145,6 +173,23 @@ TEST(Levenberg_marquardt, solves_linear_problems_in_one_undamped_step)
   options.max_iterations = 1;
   minimize_levenberg_marquardt(problem, x, options);
   EXPECT_NEAR(x[0], 2, 1e-14);
+}
+
+TEST(Levenberg_marquardt, grouped_unknowns_make_steps_independent_of_the_axes)
+{
+  const auto after_three_steps = [](double angle, std::vector<int> groups) -> Eigen::Vector2d {
+    Element_least_squares<Turned_rosenbrock> problem(Turned_rosenbrock{angle}, 2);
+    Levenberg_marquardt_options options;
+    options.max_iterations = 3;
+    options.max_reuses = 0;
+    options.initial_damping = 0.1;
+    options.groups = std::move(groups);
+    Eigen::VectorXd x = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(-1.2, 1);
+    minimize_levenberg_marquardt(problem, x, options);
+    return Eigen::Rotation2Dd(-angle) * Eigen::Vector2d(x);
+  };
+  EXPECT_LT((after_three_steps(0.7, {2}) - after_three_steps(0, {2})).norm(), 1e-12);
+  EXPECT_GT((after_three_steps(0.7, {}) - after_three_steps(0, {})).norm(), 1e-3);
 }
 
 TEST(Levenberg_marquardt, stays_inside_the_domain)

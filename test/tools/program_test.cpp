@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "program_runner.h"
+
 #include <nlohmann/json.hpp>
 
 #include <Quadrille/Optimal_quantizer.h>
@@ -10,7 +12,6 @@
 #include <array>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,81 +19,14 @@
 #include <thread>
 #include <vector>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace {
 
 namespace fs = std::filesystem;
 
-class Program : public ::testing::Test {
+class Program : public Quadrille_test::Program_runner {
 protected:
-  Program()
-  {
-    std::string pattern = (fs::temp_directory_path() / "quadrille-test-XXXXXX").string();
-    if (!::mkdtemp(pattern.data()))
-      std::abort();
-    m_folder = pattern;
-    fs::create_directory(path("out"));
-  }
-  ~Program() override
-  {
-    fs::permissions(path("out"), fs::perms::owner_all);
-    fs::remove_all(m_folder);
-  }
-
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
-
-  std::string write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
-  static std::string content(const std::string& file_name)
-  {
-    std::ifstream file(file_name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  }
-
-  /// Starts the program; its outputs go to the files "stdout" and "stderr".
-  pid_t start(std::vector<std::string> arguments)
-  {
-    arguments.insert(arguments.begin(), QUADRILLE_PROGRAM);
-    std::vector<char*> argv;
-    for (std::string& argument : arguments)
-      argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    const std::string out = path("stdout"), err = path("stderr");
-    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    pid_t child = 0;
-    EXPECT_EQ(::posix_spawn(&child, QUADRILLE_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
-    posix_spawn_file_actions_destroy(&actions);
-    return child;
-  }
-
-  static int wait_for(pid_t child)
-  {
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-  }
-
-  int run(const std::vector<std::string>& arguments)
-  {
-    const int code = wait_for(start(arguments));
-    m_error = content(path("stderr"));
-    m_output = content(path("stdout"));
-    return code;
-  }
-
   void expect_failure(const std::vector<std::string>& arguments, int code, const std::string& word)
   {
     EXPECT_EQ(run(arguments), code) << m_error;
@@ -110,9 +44,6 @@ protected:
                                    "Line(4) = {4, 1}; Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};\n"
                                    "Physical Curve(\"bottom\", 5) = {1}; Physical Surface(\"plate\", 6) = {1};\n");
   }
-
-  fs::path m_folder;
-  std::string m_output, m_error;
 };
 
 TEST_F(Program, help_and_version)

@@ -47,7 +47,10 @@ struct Levenberg_marquardt_options {
   double relative_decrease = 1e-9; ///< stop when a full step lowers the energy by less than this fraction of it
   double negligible_energy = 0;    ///< stop as soon as the energy is not above this
   double initial_damping = 1e-3;   ///< times the diagonal of J^T J
-  int max_reuses = 10;             ///< cheap steps at most after a full one; 0: Levenberg and Marquardt's own method
+  /// Sizes of groups of consecutive unknowns that are the coordinates of one vector and share their damping, so that
+  /// steps do not depend on the axes; empty: each unknown has its own.
+  std::vector<int> groups;
+  int max_reuses = 10; ///< cheap steps at most after a full one; 0: Levenberg and Marquardt's own method
   bool record_history = false;
   const Progress_observer* observer = nullptr;
   const char* stage = ""; ///< the stage's name told to the observer

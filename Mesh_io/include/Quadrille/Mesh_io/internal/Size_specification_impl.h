@@ -5,6 +5,7 @@
 #define QUADRILLE_MESH_IO_INTERNAL_SIZE_SPECIFICATION_IMPL_H
 
 #include <Quadrille/Size_specification.h>
+#include <Quadrille/domain_curves.h>
 #include <Quadrille/exceptions.h>
 
 #include <algorithm>
@@ -165,49 +166,12 @@ private:
   Domain_sizes& m_sizes;
 };
 
-/// The curves that a name stands for: those of a physical group, or with a tag.
-inline std::vector<int> curves_named(const Planar_domain& domain, const std::string& name)
-{
-  std::vector<int> by_name, by_tag;
-  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-    const Planar_domain::Curve& curve = domain.curves[c];
-    if (std::find(curve.names.begin(), curve.names.end(), name) != curve.names.end())
-      by_name.push_back(int(c));
-    if (std::to_string(curve.tag) == name)
-      by_tag.push_back(int(c));
-  }
-  return by_name.empty() ? by_tag : by_name;
-}
-
 /// Whether a name is that of a physical group of curves; otherwise it can only be a tag.
 inline bool is_group_of_curves(const Planar_domain& domain, const std::string& name)
 {
   return std::any_of(domain.curves.begin(), domain.curves.end(), [&](const Planar_domain::Curve& curve) {
     return std::find(curve.names.begin(), curve.names.end(), name) != curve.names.end();
   });
-}
-
-inline std::string list_of_names(const Planar_domain& domain)
-{
-  std::set<std::string> names;
-  std::set<int> tags;
-  for (const Planar_domain::Curve& curve : domain.curves) {
-    names.insert(curve.names.begin(), curve.names.end());
-    tags.insert(curve.tag);
-  }
-  std::string text = names.empty() ? "no physical groups of curves" : "physical groups";
-  for (const std::string& name : names)
-    text += (name == *names.begin() ? " " : ", ") + name;
-  text += "; curve tags";
-  int n = 0;
-  for (const int tag : tags) {
-    if (n == 20) {
-      text += ", ... (" + std::to_string(tags.size()) + " in all)";
-      break;
-    }
-    text += (n++ == 0 ? " " : ", ") + std::to_string(tag);
-  }
-  return text;
 }
 
 /// Sizes that the file gives at points, along curves that have one at both ends.
@@ -317,10 +281,10 @@ inline Domain_sizes Size_specification::apply(const Planar_domain& domain) const
     const Item& item = **place;
     if (place == first_tag)
       item_of_curve.assign(domain.curves.size(), nullptr);
-    const std::vector<int> curves = internal::curves_named(domain, item.name);
+    const std::vector<int> curves = curves_named(domain, item.name);
     if (curves.empty())
       throw Invalid_argument_error("size '" + item.text + "': there is no curve named '" + item.name + "' in " +
-                                   domain.source + " (" + internal::list_of_names(domain) + ")");
+                                   domain.source + " (" + list_of_curve_names(domain) + ")");
     for (const int c : curves) {
       const Item*& other = item_of_curve[std::size_t(c)];
       if (other && !other->is_same_size(item))

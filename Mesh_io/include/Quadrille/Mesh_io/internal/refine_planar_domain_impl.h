@@ -9,7 +9,9 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -58,16 +60,18 @@ private:
   }
   bool is_on_curve(halfedge_descriptor h) const { return m_domain.edge_curve[std::size_t(m_mesh.edge(h).idx())] >= 0; }
 
-  /// Halfedge of a face's longest edge that is not on a curve, the same edge for both of its faces where lengths are
-  /// equal; null if there is none.
+  /// Halfedge of a face's longest edge that is not on a curve; null if there is none. Where lengths are equal up to
+  /// rounding the numbers of the edges decide, so that scaled and turned domains are refined in the same way.
   halfedge_descriptor longest(face_descriptor f) const
   {
     halfedge_descriptor best = Mesh::null_halfedge();
-    std::pair<double, int> best_key;
+    std::pair<std::int64_t, int> best_key;
     for (const auto h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
       if (is_on_curve(h))
         continue;
-      const std::pair key(CGAL::squared_distance(source(h), source(m_mesh.next(h))), int(m_mesh.edge(h).idx()));
+      const double squared_length = CGAL::squared_distance(source(h), source(m_mesh.next(h)));
+      const std::pair key(std::int64_t(std::llround(std::ldexp(std::log(squared_length), 24))),
+                          int(m_mesh.edge(h).idx()));
       if (best == Mesh::null_halfedge() || key > best_key) {
         best = h;
         best_key = key;
@@ -147,8 +151,21 @@ private:
     const vertex_descriptor a = m_mesh.target(m_mesh.next(h)), b = m_mesh.target(m_mesh.next(opposite));
     if (m_is_on_curve[std::size_t(a.idx())] && m_is_on_curve[std::size_t(b.idx())])
       return false;
-    return CGAL::side_of_oriented_circle(source(h), source(opposite), m_mesh.point(a), m_mesh.point(b)) ==
-           CGAL::ON_POSITIVE_SIDE;
+    return exceeds_two_right_angles(h) && CGAL::side_of_oriented_circle(source(h), source(opposite), m_mesh.point(a),
+                                                                        m_mesh.point(b)) == CGAL::ON_POSITIVE_SIDE;
+  }
+
+  /// Whether the angles opposite to an edge have a sum above 180 degrees, by more than rounding can.
+  bool exceeds_two_right_angles(halfedge_descriptor h) const
+  {
+    double cross[2], dot[2], squared_lengths = 1;
+    for (int i = 0; i < 2; ++i, h = m_mesh.opposite(h)) {
+      const auto u = source(h) - apex(h), v = source(m_mesh.next(h)) - apex(h);
+      cross[i] = u.x() * v.y() - u.y() * v.x();
+      dot[i] = u * v;
+      squared_lengths *= std::sqrt(u.squared_length() * v.squared_length());
+    }
+    return cross[0] * dot[1] + dot[0] * cross[1] < -1e-6 * squared_lengths;
   }
 
   Refined_planar_domain m_result;

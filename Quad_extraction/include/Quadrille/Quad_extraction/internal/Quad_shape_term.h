@@ -74,6 +74,15 @@ public:
   }
 
   int number_of_unknowns() const { return m_n_unknowns; }
+  /// Their numbers by vertex, without the fixed ones.
+  std::vector<int> unknowns_of_vertices() const
+  {
+    std::vector<int> numbers;
+    for (const Motion motion : m_motion)
+      if (motion != Motion::fixed)
+        numbers.push_back(motion == Motion::free ? 2 : 1);
+    return numbers;
+  }
   /// eps = 0: the energy is infinite where a corner is not positive.
   void set_eps(double eps) { m_eps = eps; }
   double eps() const { return m_eps; }

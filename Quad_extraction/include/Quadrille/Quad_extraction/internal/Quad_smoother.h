@@ -140,6 +140,7 @@ private:
     Eigen::VectorXd x = term.unknowns();
     Element_least_squares<Quad_shape_term> problem(term, std::size_t(term.number_of_unknowns()), m_options.threads);
     Levenberg_marquardt_options options = minimizer_options();
+    options.groups = term.unknowns_of_vertices();
     options.relative_decrease = m_options.relative_decrease;
     options.max_iterations = max_iterations;
     const Minimization_report report = minimize_levenberg_marquardt(problem, x, options);
@@ -255,6 +256,7 @@ private:
     Levenberg_marquardt_options options = minimizer_options();
     options.max_iterations = m_options.untangling_iterations;
     options.relative_decrease = 1e-4;
+    options.groups = term.unknowns_of_vertices();
     // At least so much of eps goes in a round; more than the 0.1 of the source, since each round is solved well.
     constexpr double least_decrease = 0.3;
     constexpr double noticeable = 0.9;

@@ -7,6 +7,8 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace Quadrille {
 namespace internal {
@@ -15,6 +17,9 @@ namespace internal {
 class Damped_matrix {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
+
+  /// `groups`: numbers of consecutive unknowns that are damped alike; empty: each by itself.
+  explicit Damped_matrix(std::vector<int> groups = {}) : m_groups(std::move(groups)) {}
 
   void assign(const Matrix& lower)
   {
@@ -27,6 +32,11 @@ public:
       m_diagonal[c] = lower.valuePtr()[lower.outerIndexPtr()[c]];
     const double floor = 1e-12 * std::max(m_diagonal.maxCoeff(), 0.0);
     m_scale = m_diagonal.cwiseMax(floor > 0 ? floor : 1.0);
+    Eigen::Index first = 0;
+    for (const int size : m_groups) {
+      m_scale.segment(first, size).setConstant(m_scale.segment(first, size).mean());
+      first += size;
+    }
   }
 
   const Matrix& damped(double damping)
@@ -39,6 +49,7 @@ public:
   const Eigen::VectorXd& scale() const { return m_scale; }
 
 private:
+  std::vector<int> m_groups;
   Matrix m_matrix;
   Eigen::VectorXd m_diagonal, m_scale;
 };

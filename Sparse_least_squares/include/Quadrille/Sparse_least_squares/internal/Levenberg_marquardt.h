@@ -30,7 +30,7 @@ template <class Problem, class Solver> class Levenberg_marquardt {
 public:
   Levenberg_marquardt(Problem& problem, Eigen::VectorXd& x, const Levenberg_marquardt_options& options, Solver& solver)
       : m_problem(problem), m_x(x), m_options(options), m_solver(solver), m_damping(options.initial_damping),
-        m_memory(std::max(options.max_reuses, 1))
+        m_matrix(options.groups), m_memory(std::max(options.max_reuses, 1))
   {
   }
 
