@@ -178,7 +178,8 @@ TEST(Levenberg_marquardt, solves_linear_problems_in_one_undamped_step)
 TEST(Levenberg_marquardt, grouped_unknowns_make_steps_independent_of_the_axes)
 {
   const auto after_three_steps = [](double angle, std::vector<int> groups) -> Eigen::Vector2d {
-    Element_least_squares<Turned_rosenbrock> problem(Turned_rosenbrock{angle}, 2);
+    const Turned_rosenbrock term{angle};
+    Element_least_squares<Turned_rosenbrock> problem(term, 2);
     Levenberg_marquardt_options options;
     options.max_iterations = 3;
     options.max_reuses = 0;
