@@ -22,6 +22,7 @@ figure three_component_wing 0 800 doc/Odeco_frame_field/fig/wing_field.png
 figure square_1_10 0 500 doc/Odeco_frame_field/fig/square_field.png
 figure disk_feature 3 500 doc/Odeco_frame_field/fig/disk_feature.png \
   --anisotropic --size boundary=0.15x1.5 --size feature=0.15x1.5
+figure square_1_2 3 500 doc/Odeco_frame_field/fig/metric.png --anisotropic --size-field examples/data/metric.txt
 figure three_component_wing 1 800 doc/Seamless_parametrization/fig/wing_map.png
 figure nautilus 2 600 doc/Quad_extraction/fig/nautilus_layout.png
 figure nautilus 3 600 doc/Quad_extraction/fig/nautilus_mesh.png
