@@ -18,6 +18,7 @@
 #include <Quadrille/write_file.h>
 #include <Quadrille/write_mesh.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
 #include <sstream>
@@ -118,6 +119,11 @@ private:
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     if (!m_arguments.size_field.empty())
       m_size_field = read_size_field(m_arguments.size_field, m_domain);
+    else if (std::all_of(m_sizes.of_edge.begin(), m_sizes.of_edge.end(),
+                         [](const auto& ends) { return ends[0].is_free() && ends[1].is_free(); }))
+      throw Invalid_argument_error(
+          "all sizes are free, so elements of any size would do; prescribe one on some curve, or "
+          "inside with --size-field");
     if (!m_size_field.metric.empty() && !m_arguments.anisotropic)
       throw Invalid_argument_error(m_arguments.size_field + ": metrics, and places with two sizes, need anisotropic " +
                                    "frames; add --anisotropic or give one size at each place");

@@ -102,6 +102,9 @@ TEST_F(Program, unusable_arguments)
   expect_failure({"quad", in, "-o", out, "--size", "0"}, 2, "positive");
   expect_failure({"quad", in, "-o", out, "--size", "-1"}, 2, "size");
   expect_failure({"quad", in, "-o", out, "--size", "nan"}, 2, "nan");
+  expect_failure({"quad", in, "-o", out, "--size", "free"}, 2, "all sizes are free");
+  expect_failure({"quad", in, "-o", out, "--unaligned", "lid"}, 2, "bottom");
+  expect_failure({"quad", in, "-o", out, "--unaligned", "bottom"}, 2, "border");
   expect_failure({"quad", in, "-o", out, "--size", "lid=1"}, 2, "bottom");
   expect_failure({"quad", in, "-o", out, "--size", "bottom=1x2"}, 2, "anisotropic");
   expect_failure({"quad", in, "-o", out, "--size", "bottom=1", "--size", "bottom=2"}, 2, "contradict");
@@ -166,6 +169,12 @@ TEST_F(Program, meshes_a_square_and_checks_it)
   for (const char* key :
        {"input", "field", "map", "layout", "quantization", "mesh", "seconds", "threads", "seed", "version"})
     EXPECT_TRUE(summary.contains(key)) << key;
+  // The relaxed and the melted field are the same one here, so one of them is meshed.
+  ASSERT_EQ(summary["field"]["candidates"].size(), 3u);
+  int n_meshed = 0;
+  for (const nlohmann::json& candidate : summary["field"]["candidates"])
+    n_meshed += candidate.contains("mesh_score");
+  EXPECT_EQ(n_meshed, 1);
   const std::string mesh = content(out);
   EXPECT_NE(mesh.find("1 5 \"bottom\""), std::string::npos);
   EXPECT_NE(mesh.find("2 6 \"plate\""), std::string::npos);

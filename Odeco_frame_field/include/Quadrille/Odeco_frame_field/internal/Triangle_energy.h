@@ -69,7 +69,10 @@ public:
     }
     if (detail == Detail::gradient) {
       Gradient_rows<Pack, N> rows(triangle);
-      return energy().add_rows(triangle, rows) && keep_gradients(first, count, rows, results);
+      if (!energy().add_rows(triangle, rows))
+        return false;
+      keep_gradients(first, count, rows, results);
+      return true;
     }
     Normal_rows<Pack, N> rows(triangle);
     if (!energy().add_rows(triangle, rows))
@@ -88,7 +91,7 @@ protected:
 private:
   const Energy& energy() const { return static_cast<const Energy&>(*this); }
 
-  template <class Rows> bool keep_gradients(std::size_t first, int count, const Rows& rows, Contribution* results) const
+  template <class Rows> void keep_gradients(std::size_t first, int count, const Rows& rows, Contribution* results) const
   {
     const Pack energies = rows.energy();
     const Tuple<Pack, max_unknowns> gradients = rows.gradient();
@@ -103,7 +106,6 @@ private:
         results[i].gradient = by_unknowns.transpose();
       }
     }
-    return true;
   }
 
   void keep_matrix(std::size_t e, int lane, const typename Normal_rows<Pack, N>::Matrix& matrix,
