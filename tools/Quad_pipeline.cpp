@@ -66,10 +66,9 @@ struct Meshing_options {
 void mesh_field(const Planar_domain& domain, const Meshing_options& options, Quad_pipeline_result& result)
 {
   result.map = integrate(domain, result.gradients, options.map, result.corner_uv);
-  result.extraction =
-      extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
-                    domain.region_map(), result.quads, options.extraction,
-                    Chosen_quantizer(options.quantizer, options.optimal), Curve_projector(domain));
+  result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
+                                    domain.region_map(), result.quads, options.extraction,
+                                    Chosen_quantizer(options.quantizer, options.optimal), Curve_projector(domain));
 }
 
 void choose_start(std::size_t start, const std::vector<Gradient_pair>& gradients, Quad_pipeline_result& result)
