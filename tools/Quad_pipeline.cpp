@@ -59,17 +59,16 @@ struct Meshing_options {
   Seamless_parametrization_options map;
   Quad_extraction_options extraction;
   Quantizer_kind quantizer;
-  double quantization_seconds; ///< of one field
+  Optimal_quantizer::Options optimal; ///< limits of one field
 };
 
 /// Map and quads of the field with `result.gradients`. `result` is filled as far as that gets.
 void mesh_field(const Planar_domain& domain, const Meshing_options& options, Quad_pipeline_result& result)
 {
   result.map = integrate(domain, result.gradients, options.map, result.corner_uv);
-  result.extraction =
-      extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
-                    domain.region_map(), result.quads, options.extraction,
-                    Chosen_quantizer(options.quantizer, options.quantization_seconds), Curve_projector(domain));
+  result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
+                                    domain.region_map(), result.quads, options.extraction,
+                                    Chosen_quantizer(options.quantizer, options.optimal), Curve_projector(domain));
 }
 
 void choose_start(std::size_t start, const std::vector<Gradient_pair>& gradients, Quad_pipeline_result& result)
@@ -198,8 +197,9 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
     return starts[start].cost <= options.meshed_cost_ratio * starts[order.front()].cost;
   };
   const auto n_good = std::min(options.max_meshed_starts, int(std::count_if(order.begin(), order.end(), is_good)));
-  const double seconds = options.quantization_seconds / std::max(1, n_good);
-  Meshing_options meshing{options.map, options.extraction, options.quantizer, seconds};
+  Meshing_options meshing{options.map, options.extraction, options.quantizer, options.optimal};
+  meshing.optimal.work_limit /= std::max(1, n_good);
+  meshing.optimal.time_limit /= std::max(1, n_good);
   meshing.map.threads = meshing.extraction.threads = options.field.threads;
   meshing.extraction.observer = options.observer;
   int n_meshed = 0;

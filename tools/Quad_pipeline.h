@@ -32,10 +32,10 @@ struct Quad_pipeline_options {
   Seamless_parametrization_options map;
   Quad_extraction_options extraction;
   Quantizer_kind quantizer = default_quantizer();
-  double quantization_seconds = 10; ///< what the optimal quantizer should not exceed for all meshed starts together
-  int max_meshed_starts = 8;        ///< of the starts with the best maps, so many are meshed; the best mesh is kept
-  double meshed_cost_ratio = 1.5;   ///< but not those whose cost is more than this times the least
-  double same_field_energy = 1e-4;  ///< relative difference of energies and costs up to which fields are the same one
+  Optimal_quantizer::Options optimal; ///< its limits are shared by all meshed starts
+  int max_meshed_starts = 8;          ///< of the starts with the best maps, so many are meshed; the best mesh is kept
+  double meshed_cost_ratio = 1.5;     ///< but not those whose cost is more than this times the least
+  double same_field_energy = 1e-4;    ///< relative difference of energies and costs up to which fields are the same one
   /// The best field is solved again on a triangulation that is twice as fine around its singularities, where most of
   /// its integration error is; kept if that is better.
   bool refine_singularities = true;

@@ -7,9 +7,6 @@
 #include <Quadrille/Greedy_quantizer.h>
 #include <Quadrille/Optimal_quantizer.h>
 
-#include <algorithm>
-#include <chrono>
-
 namespace Quadrille {
 
 /// `--quantizer`.
@@ -24,10 +21,9 @@ inline Quantizer_kind default_quantizer()
 /// A `Quantizer` that is chosen at run time.
 class Chosen_quantizer {
 public:
-  /// `seconds`: limit of the optimal one for all calls together; each has at least four, as one without any improves
-  /// nothing.
-  explicit Chosen_quantizer(Quantizer_kind kind, double seconds = Optimal_quantizer::Options().time_limit)
-      : m_kind(kind), m_seconds_left(seconds)
+  /// `options`: of the optimal one.
+  explicit Chosen_quantizer(Quantizer_kind kind, const Optimal_quantizer::Options& options = {})
+      : m_kind(kind), m_options(options)
   {
   }
 
@@ -35,17 +31,12 @@ public:
   {
     if (m_kind == Quantizer_kind::greedy)
       return Greedy_quantizer()(layout, constraints);
-    Optimal_quantizer::Options options;
-    options.time_limit = std::max(4.0, m_seconds_left);
-    const auto start = std::chrono::steady_clock::now();
-    Quantization result = Optimal_quantizer(options)(layout, constraints);
-    m_seconds_left -= std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return result;
+    return Optimal_quantizer(m_options)(layout, constraints);
   }
 
 private:
   Quantizer_kind m_kind;
-  mutable double m_seconds_left;
+  Optimal_quantizer::Options m_options;
 };
 
 } // namespace Quadrille

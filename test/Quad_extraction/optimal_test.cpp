@@ -175,16 +175,41 @@ TEST_F(Optimal, the_same_again)
   EXPECT_EQ(first.result.quantization.lengths, extract(mesh, options, Optimal_quantizer()).result.quantization.lengths);
 }
 
-TEST_F(Optimal, keeps_greedy_lengths_when_time_runs_out)
+TEST_F(Optimal, keeps_greedy_lengths_at_its_limits)
 {
   const Quad_layout layout = grid_layout({1.2, 0.3, 2.2}, {3.0});
-  Length_constraints constraints(layout);
-  Optimal_quantizer::Options options;
-  options.time_limit = 0;
-  const Quantization result = Optimal_quantizer(options)(layout, constraints);
   Length_constraints greedily(layout);
-  EXPECT_EQ(result.lengths, Greedy_quantizer()(layout, greedily).lengths);
-  EXPECT_NE(result.note.find("limit"), std::string::npos);
+  const std::vector<int> expected = Greedy_quantizer()(layout, greedily).lengths;
+  for (const char* limit : {"work", "time"}) {
+    Optimal_quantizer::Options options;
+    (limit == std::string("work") ? options.work_limit : options.time_limit) = 0;
+    Length_constraints constraints(layout);
+    const Quantization result = Optimal_quantizer(options)(layout, constraints);
+    EXPECT_EQ(result.lengths, expected);
+    EXPECT_NE(result.note.find(std::string("limit of ") + limit), std::string::npos);
+  }
+}
+
+TEST_F(Optimal, admissible_and_the_same_wherever_the_work_ends)
+{
+  const Traced traced(random_domain(7).build());
+  double last_cost = std::numeric_limits<double>::infinity();
+  for (const double work : {0.0, 2e4, 4e4, 8e4, 5e7}) {
+    SCOPED_TRACE(work);
+    Optimal_quantizer::Options options;
+    options.work_limit = work;
+    const auto run = [&] {
+      Length_constraints constraints(traced.layout);
+      const Quantization result = Optimal_quantizer(options)(traced.layout, constraints);
+      EXPECT_TRUE(constraints.learn(result.lengths));
+      return result;
+    };
+    const Quantization result = run();
+    EXPECT_EQ(run().lengths, result.lengths);
+    const double cost = Length_deviation(traced.layout).cost(result.lengths);
+    EXPECT_LE(cost, last_cost);
+    last_cost = cost;
+  }
 }
 
 TEST(Counts, are_met_exactly)

@@ -19,12 +19,12 @@ namespace Quadrille {
 /// loses or gains to the patches beside it. Model of `Quantizer`.
 ///
 /// After Algorithm 2 of Couplet, Chemin and Remacle, "Size-Controlled Quadrilateral Meshing using Integrable Odeco
-/// Fields", with four changes: strips may be parts of a patch, as in a T-mesh; area is handed on to the nearest patches
-/// whose width is still open (the paper: to the direct neighbours); it does not cross the domain's curves; and
-/// collapses that would damage the topology are forbidden: when conditions turn out to be violated, the rounding is
-/// repeated. Requested counts are met as long as the strips that are fixed last leave room for it; `Optimal_quantizer`
-/// always finds lengths if there are any. Complexity: about the number of patches times the logarithm of the number of
-/// strips, times the repetitions.
+/// Fields", with five changes: strips may be parts of a patch, as in a T-mesh; area is handed on to the nearest patches
+/// whose width is still open (the paper: to the direct neighbours); it does not cross the domain's curves; collapses
+/// that would damage the topology are forbidden: when conditions turn out to be violated, the rounding is repeated; and
+/// which strips have to stay for these conditions is decided beforehand (`Strip_floors`). Requested counts are met as
+/// long as the strips that are fixed last leave room for it; `Optimal_quantizer` always finds lengths if there are any.
+/// Complexity: about the number of patches times the logarithm of the number of strips, times the repetitions.
 class Greedy_quantizer {
 public:
   /// \throws No_result_error("quantization", ...) if requested counts are not met.

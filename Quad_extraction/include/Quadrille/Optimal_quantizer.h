@@ -8,6 +8,8 @@
 #include <Quadrille/Quad_layout.h>
 #include <Quadrille/Quantization.h>
 
+#include <limits>
+
 namespace Quadrille {
 
 /// Finds integer lengths of least cost (see `Quantization`) by integer programming. Model of `Quantizer`.
@@ -23,8 +25,12 @@ namespace Quadrille {
 class Optimal_quantizer {
 public:
   struct Options {
-    double time_limit =
-        10;            ///< seconds; then the best lengths known are returned (those of `Greedy_quantizer` at least)
+    /// Where a limit is reached, the best lengths known are returned (those of `Greedy_quantizer` at least), with a
+    /// note. Work is counted in nodes of the search tree times columns of the integer program (up to ten for each arc
+    /// of the layout), each repetition's root as ten nodes. So results do not depend on the machine and its load; the
+    /// default is some ten seconds. Practically all searches end with a few nodes, far below.
+    double work_limit = 5e7;
+    double time_limit = std::numeric_limits<double>::infinity(); ///< seconds; results then depend on the machine
     double gap = 1e-3; ///< relative distance from the optimum that is good enough
   };
 
@@ -44,16 +50,15 @@ public:
   /// \throws Invalid_argument_error without a solver.
   /// \throws No_result_error("quantization", ...) if the requested counts cannot be met, naming those that are in
   /// conflict,
-  ///         or if the time was too short to find any lengths.
+  ///         or if a limit was too low to find any lengths.
   Quantization operator()(const Quad_layout& layout, Length_constraints& constraints) const;
 
 private:
   Options m_options;
 };
 
-/// A lower bound of the cost of all admissible lengths, by linear programming; -infinity without a solver, or if that
-/// takes longer than `time_limit` seconds.
-double quantization_bound(const Quad_layout& layout, const Length_constraints& constraints, double time_limit = 2);
+/// A lower bound of the cost of all admissible lengths, by linear programming; -infinity without a solver.
+double quantization_bound(const Quad_layout& layout, const Length_constraints& constraints);
 
 } // namespace Quadrille
 

@@ -13,6 +13,9 @@ struct Seamless_parametrization_options {
   /// Change matchings near boundary and feature vertices where the frames turn by no quadrant (which otherwise throws),
   /// or by a number that the angle of the domain contradicts (by more than 75 degrees, 108 at ends of feature lines).
   bool repair_corners = true;
+  /// Move singularities of five quadrants and more to where a map with these sizes has them, if it is not valid
+  /// otherwise (it turns around them by four quadrants less, and twice around a regular vertex nearby).
+  bool move_singularities = true;
   int threads = 1; ///< 0: all cores. The result does not depend on it
 };
 

@@ -28,6 +28,7 @@ struct Seamless_parametrization_result {
   int flipped = 0;                   ///< faces that are not positively oriented in (u, v); decided exactly
   int flipped_before_untangling = 0;
   int untangling_rounds = 0;
+  int moved_singularities = 0; ///< times that one was moved
   double seconds = 0.0;
 };
 

@@ -5,6 +5,7 @@
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_GREEDY_QUANTIZATION_H
 
 #include <Quadrille/Length_constraints.h>
+#include <Quadrille/Quad_extraction/internal/Strip_floors.h>
 #include <Quadrille/Quad_extraction/internal/at.h>
 #include <Quadrille/Quad_layout.h>
 
@@ -48,6 +49,7 @@ public:
   /// Returns the widths of the strips. They may violate conditions where these leave no choice.
   std::vector<int> run()
   {
+    find_floors();
     for (int s = 0; s < size_of(m_layout.strips); ++s)
       evaluate(s);
     while (!m_queue.empty()) {
@@ -121,6 +123,23 @@ private:
     return factor;
   }
 
+  /// Requested counts are left out: the widths are scaled to them.
+  void find_floors()
+  {
+    std::vector<int> bounds;
+    for (const Sum& sum : m_sums)
+      bounds.push_back(sum.most < std::numeric_limits<int>::max() ? 0 : sum.least);
+    std::vector<int> wanted;
+    for (int s = 0; s < size_of(m_layout.strips); ++s)
+      wanted.push_back(best_width(s));
+    m_floor = Strip_floors(std::move(bounds), m_sums_of).run(std::move(wanted), [this](int s, int width) {
+      double price = 0;
+      for (const int visit : at(m_visits_of, s))
+        price += cost(at(m_visits, visit), width + 1) - cost(at(m_visits, visit), width);
+      return price;
+    });
+  }
+
   double weight(const Visit& visit) const { return std::max(0.0, at(at(m_extent, visit.patch), 1 - visit.side)); }
 
   double cost(const Visit& visit, int q) const { return std::abs(visit.width - q) * weight(visit); }
@@ -162,8 +181,8 @@ private:
     return difference <= 0 ? low + 1 : low;
   }
 
-  /// Gives a strip the admissible width nearest to `wanted`: at least what conditions without other open strips miss,
-  /// at most what is left of requested counts.
+  /// Gives a strip the admissible width nearest to `wanted`: at least its floor and what conditions without other open
+  /// strips miss, at most what is left of requested counts.
   void fix(int s, int wanted)
   {
     int least = 0;
@@ -175,7 +194,7 @@ private:
       if (sum.most < std::numeric_limits<int>::max())
         most = std::min(most, std::max(0, sum.most - sum.fixed) / times);
     }
-    const int width = std::max(least, std::min(wanted, most));
+    const int width = std::max(least, std::min(std::max(wanted, at(m_floor, s)), most));
     at(m_result, s) = width;
     for (const auto& [index, times] : at(m_sums_of, s)) {
       at(m_sums, index).fixed += times * width;
@@ -284,6 +303,7 @@ private:
   std::vector<std::array<std::size_t, 2>> m_first_open;     ///< by patch and side: those before have a width
   std::vector<std::array<double, 2>> m_extent;              ///< by patch and side: current sum of the widths
   std::vector<std::vector<int>> m_visits_of;                ///< by strip
+  std::vector<int> m_floor;                                 ///< by strip
   std::vector<int> m_result;
   std::vector<int> m_best;
   std::vector<double> m_cost;

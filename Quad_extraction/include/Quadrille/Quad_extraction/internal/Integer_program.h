@@ -35,9 +35,22 @@ struct Integer_program {
   }
 };
 
+/// Where the search for a solution ends before the best one is known.
+///
+/// Work is counted in nodes of the search tree times columns of the program, the root, with its cuts and heuristics, as
+/// `root_nodes` of them. Unlike time it is the same on every machine, and so is what is found.
+struct Search_limits {
+  static constexpr double root_nodes = 10;
+
+  double gap = 0; ///< how much worse than the best one a solution may be, relative to its cost
+  double work = std::numeric_limits<double>::infinity();
+  double seconds = std::numeric_limits<double>::infinity();
+};
+
 struct Integer_solution {
   bool infeasible = false;   ///< proven to have no solution
-  bool interrupted = false;  ///< by the limit of time
+  bool interrupted = false;  ///< by a limit
+  double work = 0;           ///< see `Search_limits`
   std::vector<double> value; ///< of the best solution found, empty if there is none
   double cost = std::numeric_limits<double>::infinity();
   double lower_bound = -std::numeric_limits<double>::infinity();

@@ -41,7 +41,7 @@ public:
   /// Solves the program with these conditions, and of the requests those that `with_request` holds.
   template <class Predicate>
   Integer_solution solve(const Length_constraints& constraints, const Predicate& with_request, bool relaxed,
-                         double seconds, double gap)
+                         const Search_limits& limits)
   {
     const Integer_program& program = with_conditions(constraints, with_request);
     if (!constraints.counts().empty() && !relaxed && is_parity_violated(program)) {
@@ -49,14 +49,14 @@ public:
       solution.infeasible = true;
       return solution;
     }
-    return solve_with_cbc(program, relaxed, seconds, gap);
+    return solve_with_cbc(program, relaxed, limits);
   }
 
   /// Arcs' lengths with these conditions (of the requests those that `with_request` holds) for which `request` comes
   /// as near as possible to being met, whatever they cost.
   template <class Predicate>
   Integer_solution solve_nearest(const Length_constraints& constraints, const Predicate& with_request,
-                                 const Length_constraints::Sum& request, double seconds)
+                                 const Length_constraints::Sum& request, const Search_limits& limits)
   {
     Integer_program program = with_conditions(constraints, with_request);
     for (Integer_program::Column& column : program.columns)
@@ -65,7 +65,7 @@ public:
     row.entries.emplace_back(program.add_column({0, infinity, 1, false}), 1);
     row.entries.emplace_back(program.add_column({0, infinity, 1, false}), -1);
     program.rows.push_back(std::move(row));
-    return solve_with_cbc(program, false, seconds, 0);
+    return solve_with_cbc(program, false, limits);
   }
 
   /// By arc.

@@ -51,13 +51,11 @@ public:
   }
 
 private:
-  static constexpr double time_limit = 5; // seconds per question
+  static constexpr double work = 2e7; // per question
 
   bool is_infeasible(const std::set<int>& requests)
   {
-    return m_program
-        .solve(
-            m_constraints, [&requests](int i) { return requests.count(i) > 0; }, false, time_limit, 0.1)
+    return m_program.solve(m_constraints, [&requests](int i) { return requests.count(i) > 0; }, false, {0.1, work})
         .infeasible;
   }
 
@@ -67,8 +65,8 @@ private:
     for (const Length_constraints::Sum& sum : m_constraints.sums()) {
       if (sum.request != request)
         continue;
-      const Integer_solution solution = m_program.solve_nearest(
-          m_constraints, [&others](int i) { return others.count(i) > 0; }, sum, time_limit);
+      const Integer_solution solution =
+          m_program.solve_nearest(m_constraints, [&others](int i) { return others.count(i) > 0; }, sum, {0, work});
       if (!solution.value.empty())
         return static_cast<int>(sum_of(sum.arcs, m_program.lengths(solution)));
     }

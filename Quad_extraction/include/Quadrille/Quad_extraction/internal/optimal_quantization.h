@@ -32,7 +32,8 @@ class Optimal_quantization {
 public:
   Optimal_quantization(const Quad_layout& layout, Length_constraints& constraints,
                        const Optimal_quantizer::Options& options)
-      : m_layout(layout), m_constraints(constraints), m_options(options), m_program(layout)
+      : m_layout(layout), m_constraints(constraints), m_options(options), m_work_left(options.work_limit),
+        m_program(layout)
   {
     m_result.method = "optimal";
   }
@@ -44,8 +45,9 @@ public:
       const double seconds = m_options.time_limit - m_timer.passed();
       if (seconds <= 0)
         return give_up();
-      const Integer_solution solution = m_program.solve(
-          m_constraints, [](int) { return true; }, false, seconds, m_options.gap);
+      const Integer_solution solution =
+          m_program.solve(m_constraints, [](int) { return true; }, false, {m_options.gap, m_work_left, seconds});
+      m_work_left -= solution.work;
       if (solution.infeasible && m_result.lengths.empty())
         throw No_result_error("quantization", Request_conflict(m_program, m_constraints).explanation());
       m_result.lower_bound = std::max(m_result.lower_bound, solution.lower_bound + m_program.deviation().least_cost());
@@ -84,10 +86,11 @@ private:
 
   Quantization give_up()
   {
-    const std::string limit = "the limit of " + std::to_string(m_options.time_limit) + " s ";
+    const bool by_time = m_timer.passed() >= m_options.time_limit;
+    const std::string limit = by_time ? "the limit of time" : "the limit of work";
     if (m_result.lengths.empty())
-      throw No_result_error("quantization", limit + "was too short to find any integer lengths");
-    m_result.note = limit + "ended the search for better integer lengths";
+      throw No_result_error("quantization", limit + " was too low to find any integer lengths");
+    m_result.note = limit + " ended the search for better integer lengths";
     return std::move(m_result);
   }
 
@@ -95,6 +98,7 @@ private:
   Length_constraints& m_constraints;
   Optimal_quantizer::Options m_options;
   Lap_timer m_timer;
+  double m_work_left;
   Quantization_program m_program;
   Quantization m_result;
   double m_best_cost = 0;
@@ -107,11 +111,10 @@ inline Quantization Optimal_quantizer::operator()(const Quad_layout& layout, Len
   return internal::extraction::Optimal_quantization(layout, constraints, m_options).run();
 }
 
-inline double quantization_bound(const Quad_layout& layout, const Length_constraints& constraints, double time_limit)
+inline double quantization_bound(const Quad_layout& layout, const Length_constraints& constraints)
 {
   internal::extraction::Quantization_program program(layout);
-  const auto solution = program.solve(
-      constraints, [](int) { return true; }, true, time_limit, 0);
+  const auto solution = program.solve(constraints, [](int) { return true; }, true, {});
   return solution.lower_bound + program.deviation().least_cost();
 }
 
@@ -123,7 +126,7 @@ inline Quantization Optimal_quantizer::operator()(const Quad_layout&, Length_con
                                "greedy one, or build with QUADRILLE_WITH_CBC");
 }
 
-inline double quantization_bound(const Quad_layout&, const Length_constraints&, double)
+inline double quantization_bound(const Quad_layout&, const Length_constraints&)
 {
   return -std::numeric_limits<double>::infinity();
 }

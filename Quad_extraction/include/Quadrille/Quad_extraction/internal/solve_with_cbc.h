@@ -14,6 +14,7 @@
 #include <coin/Cbc_C_Interface.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,9 +23,21 @@ namespace Quadrille {
 namespace internal::extraction {
 
 /// Solves a program with COIN-OR's branch and cut solver CBC, on one thread; deterministic unless time runs out.
-/// A solution may be worse than the best one by the fraction `gap` of its cost. `relaxed`: integers may be fractions.
-inline Integer_solution solve_with_cbc(const Integer_program& program, bool relaxed, double seconds, double gap)
+/// `relaxed`: integers may be fractions; then neither gap nor work matter.
+///
+/// The relaxations of our programs are nearly integral: a few fractions of one half, for which some cuts or nodes are
+/// enough. CBC's preprocessing and probing, made for other programs, would take far more time than all the rest (on
+/// 100,000 columns half a minute), and so would most heuristics; one that dives is kept, so that there is a solution
+/// wherever the search ends.
+inline Integer_solution solve_with_cbc(const Integer_program& program, bool relaxed, const Search_limits& limits)
 {
+  Integer_solution solution;
+  const double max_nodes =
+      limits.work / std::max(1.0, double(program.columns.size())) - Search_limits::root_nodes; // nodes but the root
+  if (!relaxed && max_nodes < 0) {
+    solution.interrupted = true;
+    return solution;
+  }
   const std::unique_ptr<Cbc_Model, void (*)(Cbc_Model*)> model(Cbc_newModel(), &Cbc_deleteModel);
   const std::size_t n = program.columns.size();
   std::vector<CoinBigIndex> start(n + 1, 0);
@@ -59,17 +72,24 @@ inline Integer_solution solve_with_cbc(const Integer_program& program, bool rela
       Cbc_setInteger(model.get(), static_cast<int>(c));
   Cbc_setLogLevel(model.get(), 0);
   Cbc_setParameter(model.get(), "log", "0");
-  Cbc_setParameter(model.get(), "timeMode", "elapsed");
-  Cbc_setParameter(model.get(), "seconds", std::to_string(std::max(seconds, 0.01)).c_str());
-  Cbc_setParameter(model.get(), "ratioGap", std::to_string(gap).c_str());
+  if (std::isfinite(limits.seconds)) {
+    Cbc_setParameter(model.get(), "timeMode", "elapsed");
+    Cbc_setParameter(model.get(), "seconds", std::to_string(std::max(limits.seconds, 0.01)).c_str());
+  }
+  if (std::isfinite(max_nodes))
+    Cbc_setParameter(model.get(), "maxNodes", std::to_string(static_cast<int>(std::min(max_nodes, 1e9))).c_str());
+  Cbc_setParameter(model.get(), "ratioGap", std::to_string(limits.gap).c_str());
+  for (const char* off : {"preprocess", "probingCuts", "heuristicsOnOff"})
+    Cbc_setParameter(model.get(), off, "off");
+  Cbc_setParameter(model.get(), "DivingCoefficient", "on");
   const Lap_timer timer;
   Cbc_solve(model.get());
 
-  Integer_solution solution;
+  solution.work = (Search_limits::root_nodes + Cbc_getNodeCount(model.get())) * double(n);
   // When time runs out before there is a solution, CBC may say "infeasible", too.
   constexpr double certainly_in_time = 0.8;
   const bool no_solution = Cbc_isProvenInfeasible(model.get()) != 0;
-  solution.infeasible = no_solution && timer.passed() < certainly_in_time * seconds;
+  solution.infeasible = no_solution && timer.passed() < certainly_in_time * limits.seconds;
   solution.interrupted = Cbc_status(model.get()) == 1 || (no_solution && !solution.infeasible);
   if (no_solution)
     return solution;

@@ -11,6 +11,7 @@
 #include <Quadrille/Seamless_parametrization/internal/Seamless_constraints.h>
 #include <Quadrille/Seamless_parametrization/internal/Tangent_geometry.h>
 #include <Quadrille/Seamless_parametrization/internal/exact_map.h>
+#include <Quadrille/Seamless_parametrization/internal/move_singularities.h>
 #include <Quadrille/Seamless_parametrization/internal/repair_quadrants.h>
 #include <Quadrille/Seamless_parametrization/internal/untangle_map.h>
 #include <Quadrille/Seamless_parametrization_options.h>
@@ -40,6 +41,7 @@ struct Seamless_map_data {
   int reversed_edges = 0;              ///< constrained halfedges that run backwards
   int flipped_before_untangling = 0;
   int untangling_rounds = 0;
+  int moved_singularities = 0;
   double integration_residual = 0.0;
   double integration_error = 0.0;
   double seam_residual_max = 0.0;
@@ -94,8 +96,29 @@ public:
                                const Seamless_parametrization_options& options = {}) const
   {
     const auto start = std::chrono::steady_clock::now();
+    constexpr int max_moves = 16; // each leaves about three quarters of the distance
     Seamless_map_data map;
     map.topology = topology(gradients, options);
+    for (int moves = 0;; ++moves) {
+      const bool may_move = options.untangle && options.move_singularities && moves < max_moves;
+      compute(gradients, options, may_move, map);
+      if (!may_move || !map.flipped_faces.empty() || map.misturned_vertices.empty())
+        break;
+      const int n_moved =
+          Singularity_mover(m_mesh, map.topology)(map.misturned_vertices, turned_quadrants(m_mesh, map.uv));
+      if (n_moved == 0)
+        break;
+      map.moved_singularities += n_moved;
+    }
+    map.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return map;
+  }
+
+private:
+  /// The map with the given topology. `stop_misturned`: see `untangle`.
+  void compute(const std::vector<Gradient_pair>& gradients, const Seamless_parametrization_options& options,
+               bool stop_misturned, Seamless_map_data& map) const
+  {
     map.cut = Cut_graph_builder(m_mesh, m_geometry, map.topology)();
     const Seamless_space space = Seamless_constraints(m_mesh, map.topology, map.cut)();
     std::vector<Gradient_pair> combed;
@@ -110,18 +133,16 @@ public:
     map.flipped_before_untangling = int(map.flipped_faces.size());
     find_flat_faces(space, map);
     map.reversed_edges = number_of_reversed(aligned_halfedges(map.topology, map.cut), map.uv);
+    map.misturned_vertices.clear();
     if (map.flipped_faces.empty())
       map.misturned_vertices = misturned_vertices(m_mesh, map.topology, map.uv);
     if (options.untangle &&
         (map.flipped_faces.size() > map.flat_faces.size() || map.reversed_edges > 0 || !map.misturned_vertices.empty()))
-      untangle_map(combed, options, space, elements, solver, y, map);
+      untangle_map(combed, options, stop_misturned, space, elements, solver, y, map);
     verify(map);
     measure(combed, map);
-    map.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return map;
   }
 
-private:
   /// Minimises (36), with weights, over the free parameters; exact for piecewise linear coordinates. `weights`: by
   /// face, the areas unless given. What misses the unit of u by a tenth then counts the same for elements of all sizes;
   /// so that it does for elements that are not square, too, u is weighted by l/m and v by m/l, with the sizes l and m.
@@ -161,6 +182,7 @@ private:
   /// Faces whose corners share one coordinate in every map that satisfies the constraints.
   void find_flat_faces(const Seamless_space& space, Seamless_map_data& map) const
   {
+    map.flat_faces.clear();
     const auto same = [&](int row, int other) {
       return std::equal(
           space.begin(row), space.end(row), space.begin(other), space.end(other),
@@ -177,8 +199,8 @@ private:
   }
 
   void untangle_map(const std::vector<Gradient_pair>& combed, const Seamless_parametrization_options& options,
-                    const Seamless_space& space, Reduced_elements& elements, Solver& solver, Eigen::VectorXd& y,
-                    Seamless_map_data& map) const
+                    bool stop_misturned, const Seamless_space& space, Reduced_elements& elements, Solver& solver,
+                    Eigen::VectorXd& y, Seamless_map_data& map) const
   {
     std::vector<double> weights; // the triangles' areas in the parameter plane, relative to all
     double total = 0.0;
@@ -196,7 +218,7 @@ private:
       weights[std::size_t(f)] = 0.0;
     // Where sizes differ much, small triangles fold because larger ones outweigh them.
     const Eigen::VectorXd even_start = integrate(combed, elements, solver, even_weights);
-    const std::vector<Untangling_start> starts{{even_start, 0.1, 4}, {even_start, 1.0, 8}, {y, 0.1, 4}, {y, 1.0, 8}};
+    const std::vector<Untangling_start> starts{{even_start, 0.1, 8}, {even_start, 1.0, 12}, {y, 0.1, 8}, {y, 1.0, 12}};
 
     const std::vector<Aligned_halfedge> aligned = aligned_halfedges(map.topology, map.cut);
     Untangling_problem problem(m_geometry, combed, aligned, std::move(weights), elements, options.threads);
@@ -208,7 +230,8 @@ private:
       if (flipped.empty() && reversed == 0)
         misturned = misturned_vertices(m_mesh, map.topology, uv);
       const std::size_t n_invalid = flipped.size() + std::size_t(reversed) + misturned.size();
-      if (n_invalid <= map.flipped_faces.size() + std::size_t(map.reversed_edges) + map.misturned_vertices.size()) {
+      if ((stop_misturned && !misturned.empty()) ||
+          n_invalid <= map.flipped_faces.size() + std::size_t(map.reversed_edges) + map.misturned_vertices.size()) {
         map.uv = std::move(uv);
         map.flipped_faces = std::move(flipped);
         map.reversed_edges = reversed;
@@ -216,7 +239,8 @@ private:
       }
       return int(n_invalid) - int(map.flat_faces.size());
     };
-    map.untangling_rounds = untangle(problem, y, starts, options.max_untangling_rounds, solver, count_invalid);
+    map.untangling_rounds +=
+        untangle(problem, y, starts, options.max_untangling_rounds, stop_misturned, solver, count_invalid);
   }
 
   void verify(Seamless_map_data& map) const
@@ -237,6 +261,8 @@ private:
   void measure(const std::vector<Gradient_pair>& combed, Seamless_map_data& map) const
   {
     double total_area = 0.0;
+    map.integration_residual = 0.0;
+    map.integration_error = 0.0;
     for (int f = 0; f < m_mesh.number_of_faces(); ++f) {
       Eigen::Vector2d du = -combed[std::size_t(f)].first;
       Eigen::Vector2d dv = -combed[std::size_t(f)].second;

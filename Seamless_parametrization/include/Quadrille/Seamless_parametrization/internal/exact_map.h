@@ -156,10 +156,8 @@ inline int number_of_reversed(const std::vector<Aligned_halfedge>& aligned, cons
   }));
 }
 
-/// The vertices around which the map, without flipped faces, does not turn by as many quadrants as the frames do
-/// (it covers the neighbourhood of such a vertex more than once, or too rarely).
-inline std::vector<int> misturned_vertices(const Indexed_triangulation& mesh, const Frame_topology& topology,
-                                           const std::vector<Eigen::Vector2d>& uv)
+/// By vertex: the quadrants by which the map, without flipped faces, turns around it.
+inline std::vector<int> turned_quadrants(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& uv)
 {
   std::vector<double> angle(std::size_t(mesh.number_of_vertices()), 0.0);
   for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
@@ -167,9 +165,21 @@ inline std::vector<int> misturned_vertices(const Indexed_triangulation& mesh, co
     const Eigen::Vector2d second = uv[std::size_t(Indexed_triangulation::prev(h))] - uv[std::size_t(h)];
     angle[std::size_t(mesh.source(h))] += std::atan2(cross(first, second), first.dot(second));
   }
+  std::vector<int> quadrants;
+  for (const double a : angle)
+    quadrants.push_back(int(std::lround(a / quarter_turn)));
+  return quadrants;
+}
+
+/// The vertices around which the map, without flipped faces, does not turn by as many quadrants as the frames do
+/// (it covers the neighbourhood of such a vertex more than once, or too rarely).
+inline std::vector<int> misturned_vertices(const Indexed_triangulation& mesh, const Frame_topology& topology,
+                                           const std::vector<Eigen::Vector2d>& uv)
+{
+  const std::vector<int> turned = turned_quadrants(mesh, uv);
   std::vector<int> vertices;
-  for (std::size_t v = 0; v < angle.size(); ++v)
-    if (std::lround(angle[v] / quarter_turn) != topology.vertex_quadrants[v])
+  for (std::size_t v = 0; v < turned.size(); ++v)
+    if (turned[v] != topology.vertex_quadrants[v])
       vertices.push_back(int(v));
   return vertices;
 }

@@ -46,6 +46,7 @@ private:
     map.flipped = int(m_data.flipped_faces.size());
     map.flipped_before_untangling = m_data.flipped_before_untangling;
     map.untangling_rounds = m_data.untangling_rounds;
+    map.moved_singularities = m_data.moved_singularities;
   }
 
   void translate_vertices(Quadrille::Seamless_map<TriangleMesh>& map) const

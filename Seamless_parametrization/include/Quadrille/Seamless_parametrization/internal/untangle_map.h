@@ -210,14 +210,19 @@ struct Untangling_start {
 /// Moves y from one of `starts` after the other until `count_invalid(y)` is 0, and then on to a minimum nearby, or
 /// until none is left or `max_rounds` rounds are over. Returns the number of rounds.
 ///
+/// With `stop_misturned` it also ends, with this y, where nothing is folded but something turns too often.
+///
 /// Each round lowers the energy for one eps by a few Levenberg-Marquardt steps; then eps shrinks by the rule of the
-/// paper, which follows the smallest determinant. A start is given up when the count has not fallen for a while.
+/// paper, which follows the smallest determinant, with a faster least rate, because our rounds are longer. A start is
+/// given up when neither the count has fallen nor the smallest determinant come nearer to 0 for a while.
 template <class Solver, class Count_invalid>
 int untangle(Untangling_problem& problem, Eigen::VectorXd& y, const std::vector<Untangling_start>& starts,
-             int max_rounds, Solver& solver, const Count_invalid& count_invalid)
+             int max_rounds, bool stop_misturned, Solver& solver, const Count_invalid& count_invalid)
 {
   constexpr double last_epsilon = 1e-10;
   constexpr int patience = 12;
+  constexpr double least_rate = 0.3;
+  constexpr double progress = 0.95; // of the smallest determinant
   Levenberg_marquardt_options options;
   options.relative_decrease = 1e-2;
   int round = 0;
@@ -226,6 +231,7 @@ int untangle(Untangling_problem& problem, Eigen::VectorXd& y, const std::vector<
     double epsilon = start.epsilon;
     options.max_iterations = start.max_iterations;
     int least = std::numeric_limits<int>::max();
+    double largest = -std::numeric_limits<double>::infinity(); // of the negative smallest determinants
     for (int last_success = round; round < max_rounds && round < last_success + patience;) {
       ++round;
       problem.set_epsilon(epsilon);
@@ -238,14 +244,17 @@ int untangle(Untangling_problem& problem, Eigen::VectorXd& y, const std::vector<
         return round;
       }
       const double smallest = problem.smallest_determinant(y);
-      if (n_invalid < least) {
-        least = n_invalid;
+      if (smallest > 0.0 && stop_misturned)
+        return round;
+      if (n_invalid < least || (smallest < 0.0 && smallest > progress * largest)) {
+        least = std::min(least, n_invalid);
+        largest = std::max(largest, smallest);
         last_success = round;
       } else if (smallest > 0.0) { // nothing is folded, but something turns too often: no way from here
         break;
       }
       const double gain = report.initial_energy > 0.0 ? 1.0 - report.energy / report.initial_energy : 0.0;
-      const double level = (1.0 - std::max(0.1, gain)) * Untangling_problem::chi(epsilon, smallest);
+      const double level = (1.0 - std::max(least_rate, gain)) * Untangling_problem::chi(epsilon, smallest);
       epsilon = smallest < level ? 2.0 * std::sqrt(level * (level - smallest)) : last_epsilon;
     }
   }
