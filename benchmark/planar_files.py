@@ -336,6 +336,7 @@ def read_geometry(path, gmsh, folder, seconds):
     for curve, edges in sorted(chains.items()):
         vertices = [edges[0][0]] + [b for _, b in edges]
         domain.curves.append(Curve(curve, [domain.points[v] for v in vertices]))
+        domain.curves[-1].vertices = vertices
     border = {frozenset(edge) for edge in border_edges(domain.polygons)}
     on_border = {curve for curve, edges in chains.items() if frozenset(edges[0]) in border}
     run("-1", "-clmin", repr(diagonal / 4000), "-clmax", repr(diagonal / 1000))

@@ -22,6 +22,7 @@ import json
 import math
 import os
 import platform
+import re
 import resource
 import signal
 import subprocess
@@ -62,6 +63,14 @@ def graded_size(domain):
     return lambda p: smallest * 4 ** ((p[0] - x_min) / (x_max - x_min))
 
 
+def has_clear_tags(path):
+    """Whether a script's curves can be named by their tags: not where groups have numbers for names, which come first,
+    or where Gmsh meshes other curves than the script defines."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        text = file.read()
+    return not re.search(r"Physical\s+(Line|Curve)\s*\(\s*\d|Compound\s+(Line|Curve)", text)
+
+
 def add_arguments(case, path, stem):
     """Converts what the program does not read, and writes down the graded sizes."""
     domain, graded = case.domain, case.sizes == "graded" and case.problem is None
@@ -72,7 +81,8 @@ def add_arguments(case, path, stem):
         return
     is_read = os.path.splitext(path)[1].lower() in planar_files.READ_BY_PROGRAM
     case.arguments = [os.path.abspath(path)]
-    if domain.kind == "mesh" and (graded or not is_read):
+    unclear = domain.kind == "geometry" and path.endswith(".geo") and not has_clear_tags(path)
+    if domain.kind == "mesh" and not is_read or graded and (domain.kind == "mesh" or unclear):
         case.arguments = [stem + ".msh"]
         planar_files.write_mesh(case.arguments[0], domain)
     for curve in domain.curves if graded else ():
