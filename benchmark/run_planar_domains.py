@@ -18,6 +18,7 @@ the program said so, or the program crashed.
 import argparse
 import collections
 import concurrent.futures
+import copy
 import json
 import math
 import os
@@ -82,7 +83,10 @@ def add_arguments(case, path, stem):
     is_read = os.path.splitext(path)[1].lower() in planar_files.READ_BY_PROGRAM
     case.arguments = [os.path.abspath(path)]
     unclear = domain.kind == "geometry" and path.endswith(".geo") and not has_clear_tags(path)
-    if domain.kind == "mesh" and not is_read or graded and (domain.kind == "mesh" or unclear):
+    if graded and unclear:
+        case.domain = domain = copy.copy(domain)
+        domain.kind, domain.fine_border = "mesh", []
+    if domain.kind == "mesh" and (graded or not is_read):
         case.arguments = [stem + ".msh"]
         planar_files.write_mesh(case.arguments[0], domain)
     for curve in domain.curves if graded else ():
