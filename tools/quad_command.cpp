@@ -235,6 +235,12 @@ private:
       m_console.print(m_result.extraction->quantization.note);
     std::ostringstream line;
     line.precision(3);
+    if (const double change = m_result.extraction->area_change_relative; change > 1) {
+      line << "holes, corners and gaps smaller than the elements need " << 1 + change
+           << " times as many quads as the sizes ask for";
+      m_console.print(line.str());
+      line.str("");
+    }
     line << "integration error " << m_result.map->integration_error << " (smooth field: ";
     if (m_result.smooth_integration_error >= 0)
       line << m_result.smooth_integration_error;

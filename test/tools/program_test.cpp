@@ -77,6 +77,32 @@ Plane Surface(1) = {1, 2, 3};
   EXPECT_EQ(run({"check", path("out/gap.msh"), "--against", in}), 0) << m_output << m_error;
 }
 
+TEST_F(Program, tells_when_details_need_more_quads_than_sizes_ask_for)
+{
+  // Four holes of 0.02, all of their corners are vertices of the mesh.
+  std::string text = "Point(1)={0,0,0}; Point(2)={1,0,0}; Point(3)={1,1,0}; Point(4)={0,1,0};\n"
+                     "Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,4}; Line(4)={4,1}; Curve Loop(1)={1:4};\n";
+  const auto add_hole = [&text](int n, const std::string& x, const std::string& y) {
+    const auto id = [n](int i) { return std::to_string(4 * n + 1 + i % 4); };
+    for (int i = 0; i < 4; ++i)
+      text +=
+          "Point(" + id(i) + ")={" + x + (i == 1 || i == 2 ? "+0.02" : "") + "," + y + (i > 1 ? "+0.02" : "") + ",0}; ";
+    for (int i = 0; i < 4; ++i)
+      text += "Line(" + id(i) + ")={" + id(i) + "," + id(i + 1) + "}; ";
+    text += "Curve Loop(" + std::to_string(n + 1) + ")={" + id(0) + ":" + id(3) + "};\n";
+  };
+  add_hole(1, "0.29", "0.29");
+  add_hole(2, "0.32", "0.69");
+  add_hole(3, "0.69", "0.34");
+  add_hole(4, "0.72", "0.74");
+  const std::string geo = write("holes.geo", text + "Plane Surface(1)={1:5};\n");
+  const std::string mesh = path("out/holes.msh");
+  ASSERT_EQ(run({"quad", geo, "-o", mesh, "--size", "0.5", "--starts", "2"}), 0) << m_error;
+  EXPECT_NE((m_error + m_output).find("smaller than the elements need"), std::string::npos);
+  ASSERT_EQ(run({"quad", geo, "-o", mesh, "--size", "0.05", "--starts", "2"}), 0) << m_error;
+  EXPECT_EQ((m_error + m_output).find("smaller than the elements need"), std::string::npos);
+}
+
 TEST_F(Program, unusable_arguments)
 {
   const std::string in = square(), out = path("out/a.msh");
