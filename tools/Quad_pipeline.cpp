@@ -226,7 +226,7 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
     }
   }
   result = std::move(best ? *best : *first_failed);
-  if (best && options.refine_singularities && options.field.integrable &&
+  if (best && domain.mesh.number_of_faces() <= options.max_refined_triangles && options.field.integrable &&
       options.field.solver == Field_solver_kind::levenberg_marquardt && !result.map->singular_vertices.empty())
     solve_again_around_singularities(constraints, domain, field_options, meshing, best_score, result);
   result.mesh_scores = std::move(scores);

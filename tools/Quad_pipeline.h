@@ -37,8 +37,8 @@ struct Quad_pipeline_options {
   double meshed_cost_ratio = 1.5;     ///< but not those whose cost is more than this times the least
   double same_field_energy = 1e-4;    ///< relative difference of energies and costs up to which fields are the same one
   /// The best field is solved again on a triangulation that is twice as fine around its singularities, where most of
-  /// its integration error is; kept if that is better.
-  bool refine_singularities = true;
+  /// its integration error is; kept if that is better. Not on more triangles than this: there it no longer pays.
+  std::size_t max_refined_triangles = 50000;
   const Progress_observer* observer = nullptr;
 };
 
