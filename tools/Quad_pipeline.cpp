@@ -62,18 +62,29 @@ struct Meshing_options {
   Optimal_quantizer::Options optimal; ///< limits of one field
 };
 
-/// Map and quads of the field with `result.gradients`. `result` is filled as far as that gets.
+/// What a start made: its field, and the map of that unless there is none.
+struct Candidate {
+  std::vector<Gradient_pair> gradients;
+  std::optional<Seamless_map<Mesh>> map;
+  std::vector<Point_2> corner_uv;
+};
+
+/// Quads of the map in `result`, which is made of `result.gradients` unless it is there. `result` is filled as far as
+/// that gets.
 void mesh_field(const Planar_domain& domain, const Meshing_options& options, Quad_pipeline_result& result)
 {
-  result.map = integrate(domain, result.gradients, options.map, result.corner_uv);
+  if (!result.map)
+    result.map = integrate(domain, result.gradients, options.map, result.corner_uv);
   result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
                                     domain.region_map(), result.quads, options.extraction,
                                     Chosen_quantizer(options.quantizer, options.optimal), Curve_projector(domain));
 }
 
-void choose_start(std::size_t start, const std::vector<Gradient_pair>& gradients, Quad_pipeline_result& result)
+void choose_start(std::size_t start, const Candidate& candidate, Quad_pipeline_result& result)
 {
-  result.gradients = gradients;
+  result.gradients = candidate.gradients;
+  result.map = candidate.map;
+  result.corner_uv = candidate.corner_uv;
   Odeco_field_result& field = *result.field;
   field.chosen = int(start);
   field.energy = field.starts[start].energy;
@@ -101,11 +112,11 @@ double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_cons
 /// The starts that may be meshed, by cost: each field once, valid ones before the smooth one, which is only a
 /// reference.
 std::vector<std::size_t> candidates_by_cost(const std::vector<Field_start>& starts,
-                                            const std::vector<std::vector<Gradient_pair>>& candidates, double tolerance)
+                                            const std::vector<Candidate>& candidates, double tolerance)
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 1; i < candidates.size(); ++i)
-    if (!candidates[i].empty())
+    if (!candidates[i].gradients.empty())
       order.push_back(i);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return starts[a].cost < starts[b].cost; });
@@ -126,8 +137,13 @@ constexpr double tolerated_score_ratio = 1.1;
 /// better.
 void solve_again_around_singularities(const std::vector<Edge_frame_constraint>& constraints,
                                       const Planar_domain& domain, const Odeco_field_options& field_options,
-                                      const Meshing_options& meshing, double score, Quad_pipeline_result& result)
+                                      Meshing_options meshing, double score, Quad_pipeline_result& result)
 {
+  // A map that is much harder to untangle than the one that there is will hardly be better, and takes long.
+  meshing.map.move_singularities = false;
+  constexpr int few_rounds = 8;
+  meshing.map.max_untangling_rounds =
+      std::min(meshing.map.max_untangling_rounds, std::max(few_rounds, result.map->untangling_rounds));
   Quad_pipeline_result attempt;
   attempt.field = result.field;
   Field_problem problem =
@@ -160,17 +176,17 @@ void solve_again_around_singularities(const std::vector<Edge_frame_constraint>& 
 void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
                        const Quad_pipeline_options& options, Quad_pipeline_result& result)
 {
-  std::vector<std::vector<Gradient_pair>> candidates(2 + std::size_t(std::max(options.field.starts, 0)));
+  std::vector<Candidate> candidates(2 + std::size_t(std::max(options.field.starts, 0)));
   Seamless_parametrization_options map_options = options.map;
   map_options.threads = 1; // the starts themselves run in parallel
   const auto evaluate = [&](std::size_t start, const std::vector<Gradient_pair>& gradients) -> double {
-    candidates[start] = gradients;
+    Candidate& candidate = candidates[start];
+    candidate.gradients = gradients;
     try {
-      std::vector<Point_2> corner_uv;
-      const Seamless_map<Mesh> map = integrate(domain, gradients, map_options, corner_uv);
+      candidate.map = integrate(domain, gradients, map_options, candidate.corner_uv);
       if (start == 0)
-        result.smooth_integration_error = map.integration_error;
-      return cost(map);
+        result.smooth_integration_error = candidate.map->integration_error;
+      return cost(*candidate.map);
     } catch (const No_result_error&) {
       return std::numeric_limits<double>::infinity();
     }
@@ -186,7 +202,7 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   std::vector<std::size_t> order = candidates_by_cost(starts, candidates, options.same_field_energy);
   if (order.empty()) { // only the smooth field has positive sizes, or is wanted
     order.push_back(0);
-    candidates[0] = result.gradients;
+    candidates[0] = {result.gradients, {}, {}};
   }
 
   std::optional<No_result_error> first_error;
@@ -198,7 +214,7 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   };
   const auto n_good = std::min(options.max_meshed_starts, int(std::count_if(order.begin(), order.end(), is_good)));
   Meshing_options meshing{options.map, options.extraction, options.quantizer, options.optimal};
-  meshing.optimal.work_limit /= std::max(1, n_good);
+  double work_left = meshing.optimal.work_limit;
   meshing.optimal.time_limit /= std::max(1, n_good);
   meshing.map.threads = meshing.extraction.threads = options.field.threads;
   meshing.extraction.observer = options.observer;
@@ -207,17 +223,20 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   for (const std::size_t start : order) {
     if (best && n_meshed >= n_good)
       break;
+    meshing.optimal.work_limit = std::max(0.0, work_left) / std::max(1, n_good - n_meshed);
     ++n_meshed;
     Quad_pipeline_result attempt = result;
     try {
       choose_start(start, candidates[start], attempt);
       mesh_field(domain, meshing, attempt);
+      work_left -= attempt.extraction->quantization.work;
       const double score = scores[start] = mesh_score(domain, constraints, options.field.isotropic, attempt);
       if (score < best_score) {
         best_score = score;
         best = std::move(attempt);
       }
     } catch (const No_result_error& error) {
+      work_left -= meshing.optimal.work_limit; // it may all be used up
       rejected.push_back("start " + std::to_string(start) + ": " + error.what());
       if (!first_error) {
         first_error = error;

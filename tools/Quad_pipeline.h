@@ -12,6 +12,7 @@
 #include <Quadrille/seamless_parametrization.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -19,12 +20,14 @@
 
 namespace Quadrille {
 
-/// Number of starts of the field unless the user says otherwise: fewer on many triangles, where each takes long.
+/// Number of starts of the field unless the user says otherwise: fewer on many triangles, since the time of each grows
+/// faster than their number.
 inline int default_number_of_starts(std::size_t n_triangles)
 {
-  constexpr std::size_t all_up_to = 12500;
+  constexpr double all_up_to = 12500;
   const int all = Odeco_field_options().starts;
-  return n_triangles <= all_up_to ? all : std::max(2, int(std::size_t(all) * all_up_to / n_triangles));
+  const double ratio = all_up_to / double(n_triangles);
+  return ratio >= 1 ? all : std::max(2, int(all * ratio * std::sqrt(ratio)));
 }
 
 struct Quad_pipeline_options {
@@ -32,10 +35,11 @@ struct Quad_pipeline_options {
   Seamless_parametrization_options map;
   Quad_extraction_options extraction;
   Quantizer_kind quantizer = default_quantizer();
-  Optimal_quantizer::Options optimal; ///< its limits are shared by all meshed starts
-  int max_meshed_starts = 8;          ///< of the starts with the best maps, so many are meshed; the best mesh is kept
-  double meshed_cost_ratio = 1.5;     ///< but not those whose cost is more than this times the least
-  double same_field_energy = 1e-4;    ///< relative difference of energies and costs up to which fields are the same one
+  Optimal_quantizer::Options
+      optimal;               ///< its limits are shared by all meshed starts, the work as it is left by those before
+  int max_meshed_starts = 8; ///< of the starts with the best maps, so many are meshed; the best mesh is kept
+  double meshed_cost_ratio = 1.5;  ///< but not those whose cost is more than this times the least
+  double same_field_energy = 1e-4; ///< relative difference of energies and costs up to which fields are the same one
   /// The best field is solved again on a triangulation that is twice as fine around its singularities, where most of
   /// its integration error is; kept if that is better. Not on more triangles than this: there it no longer pays.
   std::size_t max_refined_triangles = 50000;

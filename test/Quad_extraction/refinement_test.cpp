@@ -7,8 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 using namespace Quadrille::internal::extraction;
 
@@ -41,22 +44,22 @@ TEST(Refine_patches, nothing_where_the_border_is_simple)
 {
   const Indexed_quads quads = spiral(17);
   EXPECT_TRUE(Quad_checks(quads).conflicting_border_edges().empty());
-  EXPECT_TRUE(too_coarse_patches(quads).empty());
+  EXPECT_TRUE(too_coarse_edges(quads).empty());
   EXPECT_NO_THROW(Quad_checks(quads).check_geometry());
 }
 
-TEST(Refine_patches, finds_the_patches_whose_border_edges_meet)
+TEST(Refine_patches, finds_the_border_edges_that_meet)
 {
   Indexed_quads quads = spiral(21); // the last three lie on the first three
   for (auto& point : quads.points)  // not quite, to have crossings rather than edges that coincide
     point *= 1 + 0.001 * double(&point - quads.points.data());
   for (const auto& quad : quads.quads)
     ASSERT_TRUE(is_convex(quads.points, quad));
-  // The ends, which are parts of sides 1 of the first and the last patch, cross the arcs, and the other way round.
-  const std::set<std::pair<int, int>> places = too_coarse_patches(quads);
-  EXPECT_FALSE(places.empty());
-  for (const auto& place : places)
-    EXPECT_TRUE(place.first == 0 || place.first >= 5) << place.first;
+  // The ends cross the arcs, and the other way round.
+  const std::set<std::pair<int, int>> edges = too_coarse_edges(quads);
+  EXPECT_FALSE(edges.empty());
+  for (const auto& edge : edges)
+    EXPECT_TRUE(edge.first < 3 || edge.first >= 15) << edge.first;
   try {
     Quad_checks(quads).check_geometry();
     ADD_FAILURE() << "overlapping quads are taken for good ones";
@@ -66,10 +69,52 @@ TEST(Refine_patches, finds_the_patches_whose_border_edges_meet)
   }
 }
 
-TEST(Refine_patches, inverted_quads_need_more_in_both_directions)
+TEST(Refine_patches, all_edges_of_inverted_quads_are_too_long)
 {
   Indexed_quads quads = spiral(12);
-  std::swap(quads.points[14], quads.points[15]); // between quads 6 and 7, both in patch 2
-  EXPECT_EQ(too_coarse_patches(quads).count({2, 0}), 1u);
-  EXPECT_EQ(too_coarse_patches(quads).count({2, 1}), 1u);
+  std::swap(quads.points[14], quads.points[15]); // between quads 6 and 7
+  const std::set<std::pair<int, int>> edges = too_coarse_edges(quads);
+  EXPECT_EQ(edges.size(), 8u);
+  for (int i = 0; i < 4; ++i)
+    EXPECT_EQ(edges.count({6, i}) + edges.count({7, i}), 2u);
+}
+
+// A patch of 4 x 2 quads whose first side consists of arcs of 3 and 1 quads. Of the quad in the corner between sides 0
+// and 1, two edges are parts of arcs, which have to grow themselves, and two are inside.
+TEST(Refine_patches, asks_for_more_on_the_arcs_that_edges_are_parts_of)
+{
+  Quadrille::Quad_layout layout;
+  layout.nodes.resize(5);
+  for (const auto& [source, target] : {std::pair(0, 1), {1, 2}, {2, 3}, {3, 4}, {4, 0}}) {
+    layout.arcs.emplace_back();
+    layout.arcs.back().source = source;
+    layout.arcs.back().target = target;
+  }
+  layout.patches.emplace_back();
+  layout.patches.front().sides = {{{0, 2}, {4}, {6}, {8}}};
+  layout.left_patch = {0, -1, 0, -1, 0, -1, 0, -1, 0, -1};
+  const std::vector<int> lengths = {3, 1, 2, 4, 2};
+  Indexed_quads quads;
+  for (int j = 0; j <= 2; ++j)
+    for (int i = 0; i <= 4; ++i)
+      quads.points.emplace_back(i, j);
+  quads.vertices.resize(quads.points.size());
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 4; ++i) {
+      quads.quads.push_back({5 * j + i, 5 * j + i + 1, 5 * j + i + 6, 5 * j + i + 5});
+      quads.patch.push_back(0);
+    }
+  const auto asked_for = [&] {
+    Quadrille::Length_constraints constraints(layout);
+    const std::size_t n = constraints.sums().size();
+    refine_patches(quads, layout, lengths, constraints);
+    std::map<std::vector<int>, int> least;
+    for (std::size_t i = n; i < constraints.sums().size(); ++i)
+      least[constraints.sums()[i].arcs] = constraints.sums()[i].least;
+    return least;
+  };
+  EXPECT_TRUE(asked_for().empty());
+  quads.points[4] = {2.9, 0.9}; // of the corner quad only
+  const std::map<std::vector<int>, int> expected = {{{1}, 2}, {{2}, 3}, {{0, 1}, 6}};
+  EXPECT_EQ(asked_for(), expected);
 }

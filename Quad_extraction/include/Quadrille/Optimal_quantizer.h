@@ -27,9 +27,10 @@ public:
   struct Options {
     /// Where a limit is reached, the best lengths known are returned (those of `Greedy_quantizer` at least), with a
     /// note. Work is counted in nodes of the search tree times columns of the integer program (up to ten for each arc
-    /// of the layout), each repetition's root as ten nodes. So results do not depend on the machine and its load; the
-    /// default is some ten seconds. Practically all searches end with a few nodes, far below.
-    double work_limit = 5e7;
+    /// of the layout), each repetition's root as ten nodes, and 30 iterations of the simplex method as one. So results
+    /// do not depend on the machine and its load; the default is some twenty seconds. A root is always finished.
+    /// Practically all searches end with a few nodes, far below.
+    double work_limit = 3e7;
     double time_limit = std::numeric_limits<double>::infinity(); ///< seconds; results then depend on the machine
     double gap = 1e-3; ///< relative distance from the optimum that is good enough
   };

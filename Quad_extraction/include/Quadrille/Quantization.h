@@ -17,6 +17,7 @@ struct Quantization {
   int repetitions = 0; ///< times that it started again because something would have been merged that must stay apart
   /// No admissible lengths have a lower cost (see `deviation`); -infinity: not known.
   double lower_bound = -std::numeric_limits<double>::infinity();
+  double work = 0;  ///< of a search for the best ones, as `Optimal_quantizer::Options::work_limit` counts it
   std::string note; ///< for the user, if something did not go as wanted, such as a limit; otherwise empty
 
   /// Set by `extract_quads`: root of the mean square of the relative length errors of all windows of 1, 2, 4, ... arcs

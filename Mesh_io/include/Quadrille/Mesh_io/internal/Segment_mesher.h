@@ -6,6 +6,7 @@
 
 #include <Quadrille/Mesh_io/internal/Gmsh_session.h>
 #include <Quadrille/Mesh_io/internal/Triangle_size_field.h>
+#include <Quadrille/Mesh_io/internal/retriangulate.h>
 
 #include <algorithm>
 #include <array>
@@ -39,11 +40,12 @@ public:
   }
 
   /// Frontal-Delaunay gives the best triangles; where surfaces are hardly wider than rounding errors it sometimes
-  /// fails, and then one of the others may do.
+  /// fails, and then one of the others may do. If none does, at least its points are of use.
   void run(std::vector<Point_2>& points, std::vector<std::array<int, 3>>& triangles, std::vector<int>& regions) const
   {
     constexpr int frontal_delaunay = 6, delaunay = 5, mesh_adapt = 1;
     std::string defect;
+    std::vector<Point_2> most_points = m_segmented.points;
     for (const int algorithm : {frontal_delaunay, delaunay, mesh_adapt}) {
       try {
         run(algorithm, points, triangles, regions);
@@ -53,7 +55,14 @@ public:
       }
       if (defect.empty())
         return;
+      if (points.size() > most_points.size())
+        most_points = points;
     }
+    points = std::move(most_points);
+    Retriangulation(points, m_segmented.segments, surfaces_of_segments()).collect(triangles, regions);
+    defect = orient_and_find_defect(points, triangles, regions);
+    if (defect.empty())
+      return;
     throw Invalid_input_error(m_path + ": the surfaces cannot be triangulated: " + defect);
   }
 
@@ -101,6 +110,16 @@ private:
                std::to_string(m_outline.curves[std::size_t(m_segmented.curve_of_segment[s])].label.tag) + " is lost";
     }
     return {};
+  }
+
+  std::vector<std::vector<int>> surfaces_of_segments() const
+  {
+    std::vector<std::vector<int>> surfaces(m_segmented.segments.size());
+    for (std::size_t f = 0; f < m_outline.surfaces.size(); ++f)
+      for (const int c : m_outline.surfaces[f].boundary)
+        for (const int s : m_segmented.segments_of_curve[std::size_t(c)])
+          surfaces[std::size_t(s)].push_back(int(f));
+    return surfaces;
   }
 
   std::string tag_text(int surface) const { return std::to_string(m_outline.surfaces[std::size_t(surface)].label.tag); }

@@ -37,10 +37,12 @@ struct Integer_program {
 
 /// Where the search for a solution ends before the best one is known.
 ///
-/// Work is counted in nodes of the search tree times columns of the program, the root, with its cuts and heuristics, as
-/// `root_nodes` of them. Unlike time it is the same on every machine, and so is what is found.
+/// Work is counted in nodes of the search tree times columns of the program, the root as `root_nodes` of them, and
+/// `iterations_per_node` iterations of the simplex method as one more, since they tell the cost of cuts and heuristics,
+/// which cannot be known beforehand. Unlike time it is the same on every machine, and so is what is found.
 struct Search_limits {
   static constexpr double root_nodes = 10;
+  static constexpr double iterations_per_node = 30;
 
   double gap = 0; ///< how much worse than the best one a solution may be, relative to its cost
   double work = std::numeric_limits<double>::infinity();

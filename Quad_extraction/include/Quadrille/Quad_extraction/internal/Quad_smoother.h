@@ -246,13 +246,18 @@ private:
   /// Lowers eps by the rule of Garanzha et al. (2021, Section 3) until all corners of `local` are positive. Gives up
   /// when the least determinant has not come nearer to 0 for a while: then something is in the way that no motion of
   /// these vertices removes. (It creeps towards 0 in vain as well, because eps does; the number of rounds ends that.)
+  /// Then vertices stay where they were unless fewer quads are inverted: what is not in the way should not suffer.
   bool untangle(const Indexed_quads& local, const std::vector<Motion>& motion)
   {
     Quad_shape_term term(local, motion, m_unit, m_options.size_weight, m_options.angle_weight, m_steps);
     if (term.number_of_unknowns() == 0)
       return false;
     Eigen::VectorXd x = term.unknowns();
-    Element_least_squares<Quad_shape_term> problem(term, std::size_t(term.number_of_unknowns()), m_options.threads);
+    const int n_inverted = number_of_inverted(term, local, x);
+    // Threads take longer to start than small places to evaluate.
+    constexpr std::size_t small = 8192;
+    const int threads = local.quads.size() < small ? 1 : m_options.threads;
+    Element_least_squares<Quad_shape_term> problem(term, std::size_t(term.number_of_unknowns()), threads);
     Levenberg_marquardt_options options = minimizer_options();
     options.max_iterations = m_options.untangling_iterations;
     options.relative_decrease = 1e-4;
@@ -279,8 +284,17 @@ private:
       const double root = std::sqrt(least * least + eps * eps);
       eps *= 1 - decrease * root / (std::abs(least) + root);
     }
-    term.store(x, m_quads);
+    if (number_of_inverted(term, local, x) < n_inverted)
+      term.store(x, m_quads);
     return false;
+  }
+
+  static int number_of_inverted(const Quad_shape_term& term, const Indexed_quads& quads, const Eigen::VectorXd& x)
+  {
+    int n = 0;
+    for (std::size_t q = 0; q < quads.quads.size(); ++q)
+      n += term.min_determinant(q, x) > 0 ? 0 : 1;
+    return n;
   }
 
   /// Moves vertices one after another, each only if its quads keep positive corners; none if the border then meets

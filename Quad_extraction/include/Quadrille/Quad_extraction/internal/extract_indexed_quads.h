@@ -15,7 +15,10 @@
 #include <Quadrille/Quad_extraction/internal/refine_patches.h>
 #include <Quadrille/Quad_extraction_options.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -151,9 +154,14 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
   Indexed_quads quads;
   const Quad_checks checks(quads);
   Length_constraints constraints(layout, options.min_loop_edges, options.counts);
+  constexpr int max_vain_refinements = 1; // in a row, after which fewer places than ever have to be too coarse
+  std::size_t least_places = std::numeric_limits<std::size_t>::max();
+  int best_attempt = 0;
   for (int attempt = 0;; ++attempt) {
     report_progress(options, "quantization", 0);
+    const double work_before = result.quantization.work;
     result.quantization = quantize(layout, quantizer, options, constraints);
+    result.quantization.work += work_before;
     judge_quantization(options, result);
     result.quantization_seconds += timer.lap();
 
@@ -167,7 +175,13 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
     result.smoothing.seconds = timer.lap();
     result.mesh_seconds += result.smoothing.seconds;
     result.refinements = attempt;
-    if (attempt == options.max_refinements || !refine_patches(quads, layout, result.quantization.lengths, constraints))
+    if (attempt == options.max_refinements)
+      break;
+    const std::size_t n_places = refine_patches(quads, layout, result.quantization.lengths, constraints);
+    if (n_places < least_places)
+      best_attempt = attempt;
+    least_places = std::min(least_places, n_places);
+    if (n_places == 0 || attempt > best_attempt + max_vain_refinements)
       break;
   }
   if (options.smooth)

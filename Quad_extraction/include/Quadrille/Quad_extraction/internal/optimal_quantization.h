@@ -48,6 +48,7 @@ public:
       const Integer_solution solution =
           m_program.solve(m_constraints, [](int) { return true; }, false, {m_options.gap, m_work_left, seconds});
       m_work_left -= solution.work;
+      m_result.work += solution.work;
       if (solution.infeasible && m_result.lengths.empty())
         throw No_result_error("quantization", Request_conflict(m_program, m_constraints).explanation());
       m_result.lower_bound = std::max(m_result.lower_bound, solution.lower_bound + m_program.deviation().least_cost());

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <set>
 #include <utility>
 #include <vector>
@@ -17,37 +18,66 @@
 namespace Quadrille {
 namespace internal::extraction {
 
-/// Where straight-sided quads are too coarse for the domain: patches and the direction (0, 1: along sides 0, 1) in
-/// which they need more of them. In both if a quad is inverted, along the border if edges of the border meet.
-inline std::set<std::pair<int, int>> too_coarse_patches(const Indexed_quads& quads)
+/// Edges of quads that are too long for the domain: all four of an inverted quad, and edges of the border that meet.
+inline std::set<std::pair<int, int>> too_coarse_edges(const Indexed_quads& quads)
 {
-  std::set<std::pair<int, int>> result;
+  std::set<std::pair<int, int>> result; // quad, number of its edge
   std::set<std::pair<int, int>> crossing;
   for (const int e : Quad_checks(quads).conflicting_border_edges())
     crossing.insert({at(quads.curve_edges, e).source, at(quads.curve_edges, e).target});
   for (int q = 0; q < size_of(quads.quads); ++q) {
     const std::array<int, 4>& quad = at(quads.quads, q);
-    const int patch = at(quads.patch, q);
-    for (int i = 0; i < 4 && !crossing.empty(); ++i)
-      if (crossing.count({at(quad, i), at(quad, (i + 1) % 4)}))
-        result.insert({patch, i % 2});
-    if (!is_convex(quads.points, quad))
-      result.insert({{patch, 0}, {patch, 1}});
+    const bool inverted = !is_convex(quads.points, quad);
+    for (int i = 0; i < 4 && (inverted || !crossing.empty()); ++i)
+      if (inverted || crossing.count({at(quad, i), at(quad, (i + 1) % 4)}))
+        result.insert({q, i});
   }
   return result;
 }
 
-/// Asks for half as many quads again, at least one, in the patches that are too coarse. Returns false if none is.
-inline bool refine_patches(const Indexed_quads& quads, const Quad_layout& layout, const std::vector<int>& lengths,
-                           Length_constraints& constraints)
+/// The half-arc on a side of `patch` that holds edge `i` of the quad in column `column` and row `row`, or -1 if the
+/// edge is inside.
+inline int half_arc_of_edge(const Quad_layout::Patch& patch, const std::vector<int>& lengths, int column, int row,
+                            int n_columns, int n_rows, int i)
 {
-  const std::set<std::pair<int, int>> places = too_coarse_patches(quads);
-  for (const auto& [patch, direction] : places) {
-    std::vector<int> arcs = arcs_of(at(at(layout.patches, patch).sides, direction));
-    const int n = static_cast<int>(sum_of(arcs, lengths));
-    constraints.require({std::move(arcs), n + std::max(1, n / 2)});
+  const std::array<int, 4> distance = {row, n_columns - 1 - column, n_rows - 1 - row, column}; // from the side
+  const std::array<int, 4> place = {column, row, n_columns - 1 - column, n_rows - 1 - row};    // along it
+  if (at(distance, i) > 0)
+    return -1;
+  int end = 0;
+  for (const int h : at(patch.sides, i)) {
+    end += at(lengths, h / 2);
+    if (at(place, i) < end)
+      return h;
   }
-  return !places.empty();
+  return -1;
+}
+
+/// Asks for half as many quads again, at least one, where edges are too long: on the arcs that they are parts of, or
+/// along the patches that they are inside of. Returns the number of such places.
+///
+/// It has to be that arc: a patch would add them elsewhere on its side, and an edge that joins two fixed vertices would
+/// stay.
+inline std::size_t refine_patches(const Indexed_quads& quads, const Quad_layout& layout,
+                                  const std::vector<int>& lengths, Length_constraints& constraints)
+{
+  std::set<std::vector<int>> places;
+  std::vector<int> first_quad(layout.patches.size(), -1);
+  for (int q = size_of(quads.quads); q-- > 0;)
+    at(first_quad, at(quads.patch, q)) = q;
+  for (const auto& [q, i] : too_coarse_edges(quads)) {
+    const Quad_layout::Patch& patch = at(layout.patches, at(quads.patch, q));
+    const int n_columns = static_cast<int>(sum_of(arcs_of(patch.sides[0]), lengths));
+    const int n_rows = static_cast<int>(sum_of(arcs_of(patch.sides[1]), lengths));
+    const int number = q - at(first_quad, at(quads.patch, q));
+    const int h = half_arc_of_edge(patch, lengths, number % n_columns, number / n_columns, n_columns, n_rows, i);
+    places.insert(h < 0 ? arcs_of(at(patch.sides, i % 2)) : std::vector<int>{h / 2});
+  }
+  for (const std::vector<int>& arcs : places) {
+    const int n = static_cast<int>(sum_of(arcs, lengths));
+    constraints.require({arcs, n + std::max(1, n / 2)});
+  }
+  return places.size();
 }
 
 } // namespace internal::extraction

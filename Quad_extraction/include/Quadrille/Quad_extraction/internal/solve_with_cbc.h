@@ -85,7 +85,9 @@ inline Integer_solution solve_with_cbc(const Integer_program& program, bool rela
   const Lap_timer timer;
   Cbc_solve(model.get());
 
-  solution.work = (Search_limits::root_nodes + Cbc_getNodeCount(model.get())) * double(n);
+  solution.work = (Search_limits::root_nodes + Cbc_getNodeCount(model.get()) +
+                   Cbc_getIterationCount(model.get()) / Search_limits::iterations_per_node) *
+                  double(n);
   // When time runs out before there is a solution, CBC may say "infeasible", too.
   constexpr double certainly_in_time = 0.8;
   const bool no_solution = Cbc_isProvenInfeasible(model.get()) != 0;
