@@ -437,10 +437,16 @@ def write_outline(path, domain, size_at=None):
 
 
 def write_mesh(path, domain):
-    """Triangles and curves as an MSH 2.2 file."""
+    """Triangles and curves as an MSH 2.2 file; in one surface, so triangles of surfaces that Gmsh sees from the other
+    side are turned."""
+
+    def counterclockwise(polygon):
+        a, b, c = (domain.points[v] for v in polygon)
+        return polygon if (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]) else polygon[::-1]
+
     rows = ["1 2 0 {} {} {}".format(curve.tag, a + 1, b + 1) for curve in domain.curves
             for a, b in zip(curve.vertices, curve.vertices[1:])]
-    rows += ["2 2 0 1 {} {} {}".format(*(v + 1 for v in polygon)) for polygon in domain.polygons]
+    rows += ["2 2 0 1 {} {} {}".format(*(v + 1 for v in counterclockwise(polygon))) for polygon in domain.polygons]
     with open(path, "w", encoding="utf-8") as file:
         file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n".format(len(domain.points)))
         for i, p in enumerate(domain.points):
