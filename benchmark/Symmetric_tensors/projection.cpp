@@ -1,12 +1,18 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Time of the exact projection onto the odeco variety, per tensor.
+// Time of the exact projections, onto the odeco variety in the plane and onto the crosses of space, per tensor; of the
+// recovery from eigentensors for comparison (the argument: crosses averaged, 1 for crosses themselves).
 
+#include <Quadrille/nearest_cross.h>
 #include <Quadrille/odeco_tensors_2.h>
 
 #include <benchmark/benchmark.h>
 
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -22,3 +28,55 @@ static void nearest_odeco_frame(benchmark::State& state)
     benchmark::DoNotOptimize(Quadrille::nearest_odeco_frame(tensors[i++ % tensors.size()]));
 }
 BENCHMARK(nearest_odeco_frame);
+
+namespace {
+
+/// Means of `n` crosses that are turned from a common one by angles about 0.3.
+std::vector<Quadrille::Cross_harmonics> means_of_crosses(int n)
+{
+  std::mt19937 engine(1);
+  std::normal_distribution<double> normal;
+  std::vector<Quadrille::Cross_harmonics> means(1024, Quadrille::Cross_harmonics::Zero());
+  for (auto& mean : means) {
+    const auto random = [&] { return normal(engine); };
+    const Eigen::Quaterniond common = Eigen::Quaterniond(random(), random(), random(), random()).normalized();
+    for (int i = 0; i < n; ++i) {
+      const Eigen::Quaterniond turn(1, 0.15 * random(), 0.15 * random(), 0.15 * random());
+      mean += Quadrille::cross_harmonics((turn.normalized() * common).toRotationMatrix()) / n;
+    }
+  }
+  return means;
+}
+
+} // namespace
+
+static void nearest_crosses(benchmark::State& state)
+{
+  const auto means = means_of_crosses(int(state.range(0)));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(Quadrille::nearest_crosses(means));
+  state.SetItemsProcessed(state.iterations() * std::int64_t(means.size()));
+}
+BENCHMARK(nearest_crosses)->Arg(1)->Arg(6);
+
+static void nearest_cross_from_near_start(benchmark::State& state)
+{
+  const auto means = means_of_crosses(6);
+  const auto crosses = Quadrille::nearest_crosses(means);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.05, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(Quadrille::nearest_cross(means[i], turn * crosses[i].frame));
+    i = (i + 1) % means.size();
+  }
+}
+BENCHMARK(nearest_cross_from_near_start);
+
+static void cross_of_eigentensors(benchmark::State& state)
+{
+  const auto means = means_of_crosses(6);
+  std::size_t i = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(Quadrille::cross_of_eigentensors(Quadrille::cross_tensor(means[i++ % means.size()])));
+}
+BENCHMARK(cross_of_eigentensors);
