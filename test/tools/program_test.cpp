@@ -296,7 +296,9 @@ TEST_F(Program, an_interrupt_leaves_no_files)
   const std::string in = square();
   const pid_t child =
       start({"quad", in, "-o", path("out/a.msh"), "--size", "0.02", "--starts", "50", "--triangle-size", "0.05"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  // It tells the number of triangles before it computes the field, which takes long.
+  for (int i = 0; i < 3000 && content(path("stderr")).empty() && content(path("stdout")).empty(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   ::kill(child, SIGINT);
   EXPECT_EQ(wait_for(child), 130);
   EXPECT_TRUE(fs::is_empty(path("out")));
