@@ -3,6 +3,8 @@
 
 // The cases in examples/data from file to mesh, by the program, with fewer starts than its default to save time.
 
+#include "temporary_files.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -17,28 +19,9 @@
 
 namespace {
 
-std::string content(const std::string& path)
-{
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// Runs the program in a folder of its own for every test, removed at its end.
-class Invariance : public testing::Test {
+class Invariance : public Temporary_files {
 protected:
-  void SetUp() override
-  {
-    std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    for (char& c : name)
-      c = c == '/' ? '_' : c;
-    m_folder = std::filesystem::path(testing::TempDir()) / ("quadrille_cases_" + name);
-    std::filesystem::create_directories(m_folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(m_folder); }
-
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
   static std::string data(const std::string& name) { return QUADRILLE_EXAMPLE_DATA "/" + name + ".geo"; }
 
   /// The exit code of the program with these arguments.
@@ -53,8 +36,6 @@ protected:
   }
 
   nlohmann::json summary() const { return nlohmann::json::parse(content(path("summary.json"))); }
-
-  std::filesystem::path m_folder;
 };
 
 class Cases : public Invariance, public testing::WithParamInterface<const char*> {};

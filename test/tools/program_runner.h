@@ -4,12 +4,11 @@
 #ifndef QUADRILLE_TEST_TOOLS_PROGRAM_RUNNER_H
 #define QUADRILLE_TEST_TOOLS_PROGRAM_RUNNER_H
 
+#include "temporary_files.h"
+
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -23,35 +22,10 @@ extern char** environ;
 namespace Quadrille_test {
 
 /// Runs the program in a folder of its own for every test.
-class Program_runner : public ::testing::Test {
+class Program_runner : public Temporary_files {
 protected:
-  Program_runner()
-  {
-    std::string pattern = (std::filesystem::temp_directory_path() / "quadrille-test-XXXXXX").string();
-    if (!::mkdtemp(pattern.data()))
-      std::abort();
-    m_folder = pattern;
-    std::filesystem::create_directory(path("out"));
-  }
-  ~Program_runner() override
-  {
-    std::filesystem::permissions(path("out"), std::filesystem::perms::owner_all);
-    std::filesystem::remove_all(m_folder);
-  }
-
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
-
-  std::string write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
-  static std::string content(const std::string& file_name)
-  {
-    std::ifstream file(file_name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  }
+  Program_runner() { std::filesystem::create_directory(path("out")); }
+  ~Program_runner() override { std::filesystem::permissions(path("out"), std::filesystem::perms::owner_all); }
 
   /// Starts the program; its outputs go to the files "stdout" and "stderr".
   pid_t start(std::vector<std::string> arguments)
@@ -87,7 +61,6 @@ protected:
     return code;
   }
 
-  std::filesystem::path m_folder;
   std::string m_output, m_error;
 };
 

@@ -5,11 +5,11 @@
 // finds valid, or an error that says which stage failed.
 
 #include "random_polygons.h"
+#include "temporary_files.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -19,18 +19,13 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Outcome {
   int code = -1, check = -1;
   std::string message;
 };
 
-class Random_polygons : public testing::Test {
+class Random_polygons : public Temporary_files {
 protected:
-  void SetUp() override { fs::create_directories(m_folder); }
-  void TearDown() override { fs::remove_all(m_folder); }
-
   std::string path(unsigned seed, const std::string& ending) const
   {
     return (m_folder / (std::to_string(seed) + ending)).string();
@@ -66,8 +61,6 @@ protected:
     result.message = text.str();
     return result;
   }
-
-  fs::path m_folder = fs::path(testing::TempDir()) / "quadrille_random_polygons";
 };
 
 TEST_F(Random_polygons, give_valid_meshes_or_errors_that_name_the_stage)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef QUADRILLE_TEST_MESH_IO_TEMPORARY_FILES_H
-#define QUADRILLE_TEST_MESH_IO_TEMPORARY_FILES_H
+#ifndef QUADRILLE_TEST_COMMON_TEMPORARY_FILES_H
+#define QUADRILLE_TEST_COMMON_TEMPORARY_FILES_H
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-/// A fixture with a folder of its own.
+/// A fixture with a folder of its own, also beside other runs of the same test.
 class Temporary_files : public ::testing::Test {
 protected:
   Temporary_files()
