@@ -50,7 +50,7 @@ private:
 Cross_harmonics rotation_generator(int axis, const Cross_harmonics& q);
 
 /// q(R) . q(S) for the crosses of two rotations, from P = R^T S alone: 5/6 sum P_ij^4 - 3/2.
-double cross_product_of_rotations(const Eigen::Matrix3d& P);
+double product_of_crosses(const Eigen::Matrix3d& P);
 
 /// The crosses that have `n` as an axis are q = offset + basis s with |s|^2 = 5/12: `offset` and the two columns of
 /// `basis` for a unit vector `n`. Such s = sqrt(5/12) (sin 4t, cos 4t) for the other axes turned about n by t.

@@ -134,10 +134,7 @@ inline Cross_harmonics rotation_generator(int axis, const Cross_harmonics& q)
   return p;
 }
 
-inline double cross_product_of_rotations(const Eigen::Matrix3d& P)
-{
-  return 5.0 / 6 * P.array().square().square().sum() - 1.5;
-}
+inline double product_of_crosses(const Eigen::Matrix3d& P) { return 5.0 / 6 * P.array().square().square().sum() - 1.5; }
 
 inline Aligned_crosses crosses_aligned_with(const Eigen::Vector3d& n)
 {
