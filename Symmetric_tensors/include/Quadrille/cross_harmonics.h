@@ -46,8 +46,9 @@ private:
   Eigen::Vector3d m_cosines, m_sines; ///< of a, b, c
 };
 
-/// L q, where exp(t L) is the action of the rotation about coordinate axis 0, 1 or 2 by the angle t; L is skew.
-Cross_harmonics rotation_generator(int axis, const Cross_harmonics& q);
+/// L q, where exp(t L) is the action of the rotation about coordinate axis 0, 1 or 2 by the angle t; L is skew. In the
+/// precision of `q`.
+template <class S> Eigen::Matrix<S, 9, 1> rotation_generator(int axis, const Eigen::Matrix<S, 9, 1>& q);
 
 /// q(R) . q(S) for the crosses of two rotations, from P = R^T S alone: 5/6 sum P_ij^4 - 3/2.
 double product_of_crosses(const Eigen::Matrix3d& P);

@@ -119,10 +119,10 @@ inline Cross_harmonics Harmonic_rotation::inverse(const Cross_harmonics& q) cons
   return p;
 }
 
-inline Cross_harmonics rotation_generator(int axis, const Cross_harmonics& q)
+template <class S> Eigen::Matrix<S, 9, 1> rotation_generator(int axis, const Eigen::Matrix<S, 9, 1>& q)
 {
-  const double a = std::sqrt(2.0), b = std::sqrt(3.5), c = 3 / std::sqrt(2.0), d = std::sqrt(10.0);
-  Cross_harmonics p;
+  const S a = S(std::sqrt(2.0)), b = S(std::sqrt(3.5)), c = S(3 / std::sqrt(2.0)), d = S(std::sqrt(10.0));
+  Eigen::Matrix<S, 9, 1> p;
   if (axis == 0)
     p << -a * q[7], -a * q[8] - b * q[6], -b * q[7] - c * q[5], -c * q[6] - d * q[4], d * q[3], c * q[2],
         b * q[1] + c * q[3], a * q[0] + b * q[2], a * q[1];
@@ -130,7 +130,7 @@ inline Cross_harmonics rotation_generator(int axis, const Cross_harmonics& q)
     p << a * q[1], -a * q[0] + b * q[2], -b * q[1] + c * q[3], -c * q[2], -d * q[5], d * q[4] - c * q[6],
         c * q[5] - b * q[7], b * q[6] - a * q[8], a * q[7];
   else
-    p << 4 * q[8], 3 * q[7], 2 * q[6], q[5], 0, -q[3], -2 * q[2], -3 * q[1], -4 * q[0];
+    p << S(4) * q[8], S(3) * q[7], S(2) * q[6], q[5], S(0), -q[3], S(-2) * q[2], S(-3) * q[1], S(-4) * q[0];
   return p;
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace Quadrille {
 namespace internal {
@@ -36,11 +37,30 @@ public:
         if (product[std::size_t(a)][std::size_t(b)] == 0)
           inverse[std::size_t(a)] = b;
       }
+    number_of_code.fill(-1);
+    for (int a = 0; a < n; ++a)
+      number_of_code[std::size_t(code(matrix[std::size_t(a)]).first)] = a;
+  }
+
+  /// A number for where the largest entries of the rows are and for their signs, different for all elements; and the
+  /// sum of the absolute values of these entries.
+  static std::pair<int, double> code(const Eigen::Matrix3d& P)
+  {
+    int code = 0;
+    double sum = 0;
+    for (int r = 0; r < 3; ++r) {
+      const double a = std::abs(P(r, 0)), b = std::abs(P(r, 1)), c = std::abs(P(r, 2));
+      const int largest = a >= b && a >= c ? 0 : (b >= c ? 1 : 2);
+      code = 6 * code + 2 * largest + (P(r, largest) < 0 ? 1 : 0);
+      sum += std::abs(P(r, largest));
+    }
+    return {code, sum};
   }
 
   std::array<Eigen::Matrix3d, n> matrix;
   std::array<std::array<int, n>, n> product;
   std::array<int, n> inverse;
+  std::array<int, 216> number_of_code; ///< -1 for those of no element
 
 private:
   int find(const Eigen::Matrix3d& m) const
@@ -62,6 +82,11 @@ inline const Octahedral_tables& octahedral_tables()
 
 inline Octahedral_rotation Octahedral_rotation::nearest(const Eigen::Matrix3d& P)
 {
+  // Within 45 degrees the trace of P^T G is at least 1 + sqrt(2), and no other element is as near.
+  const auto [code, trace_of_largest] = internal::Octahedral_tables::code(P);
+  const int number = internal::octahedral_tables().number_of_code[std::size_t(code)];
+  if (number >= 0 && trace_of_largest > 1 + std::sqrt(2.0))
+    return Octahedral_rotation(number);
   const auto& matrices = internal::octahedral_tables().matrix;
   int best = 0;
   double best_trace = -4;

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_CROSS_ALIGNMENT_H
+#define QUADRILLE_CROSS_ALIGNMENT_H
+
+#include <Quadrille/cross_harmonics.h>
+
+#include <Eigen/Core>
+
+namespace Quadrille {
+
+/// What the cross at a vertex has to follow: an axis, such as the boundary's normal or a crease's tangent, or a frame.
+///
+/// An axis leaves two unknowns of the nine, the amplitude and the phase of the cross's turn about it; they replace the
+/// nine (affine elimination), so that alignment is exact at every stage of the solution.
+struct Cross_alignment {
+  bool is_fixed = false; ///< to the frame `crosses.frame`; else only to its last column, the axis
+  Aligned_crosses crosses;
+
+  /// \pre `n` is a unit vector.
+  static Cross_alignment with_axis(const Eigen::Vector3d& n) { return {false, crosses_aligned_with(n)}; }
+
+  /// \pre `R` is a rotation.
+  static Cross_alignment with_frame(const Eigen::Matrix3d& R)
+  {
+    Cross_alignment result{true, {}};
+    result.crosses.offset = cross_harmonics(R);
+    result.crosses.basis.setZero();
+    result.crosses.frame = R;
+    return result;
+  }
+};
+
+} // namespace Quadrille
+
+#endif
