@@ -32,10 +32,12 @@ public:
     return !types.empty();
   }
 
-  /// \param curves the curves whose lines are features; all if `every_curve`
-  Tetrahedral_mesh get(bool every_curve, const std::vector<int>& curves)
+  /// \param volumes, curves the tags of those whose tetrahedra are wanted and whose lines are features; -1 means all
+  Tetrahedral_mesh get(const std::vector<int>& volumes, const std::vector<int>& curves)
   {
-    std::vector<std::size_t> corners = corners_of_tetrahedra();
+    std::vector<std::size_t> corners;
+    for (const int volume : volumes)
+      add_tetrahedra(volume, corners);
     m_tags = corners;
     std::sort(m_tags.begin(), m_tags.end());
     m_tags.erase(std::unique(m_tags.begin(), m_tags.end()), m_tags.end());
@@ -43,12 +45,8 @@ public:
     m_mesh.tetrahedra.resize(corners.size() / 4);
     for (std::size_t i = 0; i < corners.size(); ++i)
       m_mesh.tetrahedra[i / 4][i % 4] = index(corners[i]);
-    if (every_curve) {
-      add_lines(-1);
-    } else {
-      for (const int curve : curves)
-        add_lines(curve);
-    }
+    for (const int curve : curves)
+      add_lines(curve);
     orient_tetrahedra(m_mesh);
     select_feature_edges(m_mesh);
     return std::move(m_mesh);
@@ -73,15 +71,14 @@ private:
     return result;
   }
 
-  std::vector<std::size_t> corners_of_tetrahedra() const
+  void add_tetrahedra(int volume, std::vector<std::size_t>& corners) const
   {
     std::vector<int> types;
-    gmsh::model::mesh::getElementTypes(types, 3);
-    std::vector<std::size_t> corners;
+    gmsh::model::mesh::getElementTypes(types, 3, volume);
     for (const int type : types) {
       const Element_type element = properties(type);
       std::vector<std::size_t> tags, nodes;
-      gmsh::model::mesh::getElementsByType(type, tags, nodes);
+      gmsh::model::mesh::getElementsByType(type, tags, nodes, volume);
       if (element.n_corners != 4)
         fail("element " + std::to_string(tags.empty() ? 0 : tags[0]) + " is of type '" + element.name +
              "'; of cells of dimension 3 only tetrahedra are read");
@@ -92,7 +89,6 @@ private:
       for (std::size_t i = 0; i < nodes.size(); i += element.n_nodes)
         corners.insert(corners.end(), nodes.begin() + std::ptrdiff_t(i), nodes.begin() + std::ptrdiff_t(i) + 4);
     }
-    return corners;
   }
 
   void add_points()
@@ -160,7 +156,7 @@ inline Volume_content read_msh_volume(const std::string& path)
     Gmsh_session::call(path, [&] {
       open_msh(path, session);
       if (Gmsh_volume::exists())
-        content.volume = Gmsh_volume(path).get(true, {});
+        content.volume = Gmsh_volume(path).get({-1}, {-1});
     });
   }
   if (content.volume.tetrahedra.empty())
