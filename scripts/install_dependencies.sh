@@ -8,7 +8,7 @@ packages=(
   libsuitesparse-dev libalglib-dev coinor-libcbc-dev
   # A fast BLAS that several threads may call at once, which OpenBLAS's serial package does not allow.
   libopenblas-dev
-  libgmsh-dev nlohmann-json3-dev
+  libgmsh-dev libtet1.5-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
   librsvg2-bin # rsvg-convert, for pictures in PNG
 )

@@ -5,6 +5,7 @@
 #define QUADRILLE_MESH_IO_INTERNAL_BYTE_ARCHIVE_H
 
 #include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/Tetrahedral_mesh.h>
 #include <Quadrille/exceptions.h>
 
 #include <array>
@@ -35,8 +36,13 @@ private:
   template <class T> void put(const std::vector<T>& values)
   {
     put(values.size());
-    for (const T& value : values)
-      put(value);
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      const char* begin = reinterpret_cast<const char*>(values.data());
+      bytes.insert(bytes.end(), begin, begin + values.size() * sizeof(T));
+    } else {
+      for (const T& value : values)
+        put(value);
+    }
   }
   void put(const std::string& text)
   {
@@ -52,10 +58,14 @@ public:
   template <class... T> void operator()(T&... values) { (get(values), ...); }
 
 private:
+  void check(std::size_t n, std::size_t bytes_each) const
+  {
+    if (n > (m_bytes.size() - m_position) / bytes_each)
+      throw Error("the result of a child process is incomplete");
+  }
   const char* take(std::size_t n)
   {
-    if (n > m_bytes.size() - m_position)
-      throw Error("the result of a child process is incomplete");
+    check(n, 1);
     m_position += n;
     return m_bytes.data() + (m_position - n);
   }
@@ -71,9 +81,16 @@ private:
     std::size_t n = 0;
     get(n);
     values.clear();
-    for (std::size_t i = 0; i < n; ++i) {
-      values.emplace_back();
-      get(values.back());
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      check(n, sizeof(T));
+      values.resize(n);
+      if (n > 0)
+        std::memcpy(values.data(), take(n * sizeof(T)), n * sizeof(T));
+    } else {
+      for (std::size_t i = 0; i < n; ++i) {
+        values.emplace_back();
+        get(values.back());
+      }
     }
   }
   void get(std::string& text)
@@ -95,6 +112,11 @@ template <class Archive> void exchange(Archive& archive, Entity_label& label) { 
 template <class Archive> void exchange(Archive& archive, Labelled_mesh& m)
 {
   archive(m.points, m.polygons, m.polygon_region, m.lines, m.line_curve, m.curves, m.regions, m.groups);
+}
+
+template <class Archive> void exchange(Archive& archive, Tetrahedral_mesh& m)
+{
+  archive(m.points, m.tetrahedra, m.feature_edges);
 }
 
 /// What a geometry file becomes: triangles with labels, and what the user should know about them.

@@ -11,6 +11,8 @@
 
 #include <cstdlib>
 #include <map>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +66,10 @@ public:
       function();
     } catch (const Error&) {
       throw;
+    } catch (const std::bad_alloc&) {
+      throw Invalid_input_error(subject + ": Gmsh asks for more memory than there is; the file may be damaged");
+    } catch (const std::length_error&) {
+      throw Invalid_input_error(subject + ": Gmsh asks for more memory than there is; the file may be damaged");
     } catch (const std::exception& error) {
       throw Invalid_input_error(subject + ": " + error.what());
     } catch (const std::string& error) {

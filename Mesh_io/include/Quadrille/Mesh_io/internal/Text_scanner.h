@@ -7,6 +7,7 @@
 #include <Quadrille/exceptions.h>
 
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -46,6 +47,30 @@ public:
     return take_word();
   }
 
+  /// The next word that is not in a comment, which begins with # and ends with the line; empty at the end of the text.
+  std::string_view word_outside_comments()
+  {
+    std::string_view next = word();
+    while (!next.empty() && next.front() == '#') {
+      rest_of_line();
+      next = word();
+    }
+    return next;
+  }
+
+  /// The first word of the next line that is neither blank nor a comment; empty at the end of the text.
+  /// \pre a line begins here.
+  std::string_view first_word_of_line()
+  {
+    while (!at_end()) {
+      const std::string_view first = word_on_line();
+      if (!first.empty() && first.front() != '#')
+        return first;
+      rest_of_line();
+    }
+    return {};
+  }
+
   /// The rest of this line, without its end; goes on to the next line.
   std::string_view rest_of_line()
   {
@@ -64,40 +89,51 @@ public:
   }
 
   /// Raw bytes. \throws Invalid_input_error if there are fewer.
-  const char* bytes(std::size_t n, const std::string& what)
+  const char* bytes(std::size_t n, std::string_view what)
   {
     if (n > remaining())
-      fail("the file ends within the " + what);
+      fail("the file ends within the " + std::string(what));
     m_position += n;
     return m_text.data() + (m_position - n);
   }
 
-  template <class Number> Number number(std::string_view word, const std::string& what) const
+  template <class Number> Number number(std::string_view word, std::string_view what) const
   {
     if (word.empty())
-      fail("the file ends, or the line does, where " + what + " is expected");
+      fail("the file ends, or the line does, where " + std::string(what) + " is expected");
     Number value{};
     const char* begin = word.data() + (word.front() == '+' ? 1 : 0);
     const auto [end, code] = std::from_chars(begin, word.data() + word.size(), value);
     if (code == std::errc::result_out_of_range)
-      fail("'" + std::string(word) + "' is out of range for " + what);
+      fail("'" + std::string(word.substr(0, 40)) + "' is out of range for " + std::string(what));
     if (code != std::errc() || end != word.data() + word.size())
-      fail("'" + std::string(word.substr(0, 40)) + "' is not " + what);
+      fail("'" + std::string(word.substr(0, 40)) + "' is not " + std::string(what));
     return value;
   }
 
-  template <class Number> Number number(const std::string& what) { return number<Number>(word(), what); }
+  template <class Number> Number number(std::string_view what) { return number<Number>(word(), what); }
+
+  /// A coordinate or another number that has to be finite.
+  double finite_number(std::string_view word, std::string_view what) const
+  {
+    const double value = number<double>(word, what);
+    if (!std::isfinite(value))
+      fail("'" + std::string(word.substr(0, 40)) + "' is not a finite number");
+    return value;
+  }
 
   /// A count of things that take at least `bytes_each` bytes of text each.
-  std::size_t count(const std::string& what, std::size_t bytes_each)
+  std::size_t count(std::string_view word, std::string_view what, std::size_t bytes_each) const
   {
-    const long long n = number<long long>(what);
+    const long long n = number<long long>(word, what);
     if (n < 0)
-      fail(what + " is negative");
+      fail(std::string(what) + " is negative");
     if (std::size_t(n) > remaining() / bytes_each + 1)
-      fail(what + " is " + std::to_string(n) + ", more than the file has room for: it is truncated or damaged");
+      fail(std::string(what) + " is " + std::to_string(n) +
+           ", more than the file has room for: it is truncated or damaged");
     return std::size_t(n);
   }
+  std::size_t count(std::string_view what, std::size_t bytes_each) { return count(word(), what, bytes_each); }
 
 private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }

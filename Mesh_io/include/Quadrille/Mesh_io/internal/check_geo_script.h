@@ -34,6 +34,18 @@ inline std::string geo_skeleton(const std::string& script, bool& complete)
   return result;
 }
 
+/// Whether a script, without space at its end, ends with Fillet{...}{...}{...} or Chamfer, which need no semicolon.
+inline bool ends_with_fillet(const std::string& text)
+{
+  for (const std::string word : {"Fillet", "Chamfer"})
+    if (const std::size_t found = text.rfind(word); found != std::string::npos) {
+      const std::string rest = text.substr(found + word.size());
+      if (rest.find_first_of(";=") == std::string::npos && std::count(rest.begin(), rest.end(), '}') >= 3)
+        return true;
+    }
+  return false;
+}
+
 /// Whether a script ends after a statement. Gmsh does not mind when the last one is cut off.
 inline bool is_complete_geo_script(const std::string& script)
 {
@@ -53,6 +65,8 @@ inline bool is_complete_geo_script(const std::string& script)
     return true;
   if (text.back() != '}')
     return false;
+  if (ends_with_fillet(text))
+    return true;
   // A block, as in Rotate {...} { Surface{1}; }, holds statements; a list, as in Curve Loop(1) = {1, 2}, does not.
   text.pop_back();
   trim();

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -48,9 +48,11 @@ inline void check_readable(const std::string& path)
 inline std::string read_whole_file(const std::string& path)
 {
   check_readable(path);
+  std::error_code code;
+  const std::uintmax_t size = std::filesystem::file_size(path, code);
   std::ifstream file(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(file), {});
-  if (file.bad())
+  std::string text(code ? 0 : std::size_t(size), '\0');
+  if (code || !file.read(text.data(), std::streamsize(text.size())))
     throw Invalid_input_error(path + ": the file cannot be read to its end");
   return text;
 }

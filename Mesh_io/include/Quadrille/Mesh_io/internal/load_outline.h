@@ -6,9 +6,8 @@
 
 #include <Quadrille/Mesh_io/internal/Gmsh_session.h>
 #include <Quadrille/Mesh_io/internal/Outline.h>
-#include <Quadrille/Mesh_io/internal/check_geo_script.h>
 #include <Quadrille/Mesh_io/internal/check_triangles.h>
-#include <Quadrille/Mesh_io/internal/files.h>
+#include <Quadrille/Mesh_io/internal/open_geometry.h>
 #include <Quadrille/Mesh_io/internal/point_sizes.h>
 
 #include <algorithm>
@@ -29,11 +28,7 @@ public:
 
   Outline load(const Gmsh_session& session)
   {
-    check_beginning();
-    Gmsh_session::call(m_path, [&] { gmsh::open(m_path); });
-    const std::string error = session.first_error();
-    if (!error.empty())
-      throw Invalid_input_error(m_path + ": the geometry cannot be read: " + error);
+    open_geometry(m_path, session);
     Gmsh_session::call(m_path, [&] {
       add_surfaces();
       sample_curves();
@@ -60,25 +55,6 @@ public:
 
 private:
   [[noreturn]] void fail(const std::string& reason) const { throw Invalid_input_error(m_path + ": " + reason); }
-
-  /// Gmsh takes any text for a script, so the kinds that can be told are told here.
-  void check_beginning() const
-  {
-    check_readable(m_path);
-    const std::string extension = extension_of(m_path);
-    const std::string beginning = read_beginning(m_path, 4096);
-    if ((extension == ".step" || extension == ".stp") && beginning.find("ISO-10303-21") == std::string::npos)
-      fail("this is not a STEP file (it does not begin with ISO-10303-21)");
-    if (extension == ".brep" && beginning.find("CASCADE Topology") == std::string::npos)
-      fail("this is not an Open CASCADE boundary representation (no line 'CASCADE Topology')");
-    if ((extension == ".iges" || extension == ".igs") && (beginning.size() < 73 || beginning[72] != 'S'))
-      fail("this is not an IGES file (column 73 of the first line is not 'S')");
-    if (extension == ".geo" && beginning.find('\0') != std::string::npos)
-      fail("this is not a text file");
-    if (extension == ".geo" && !is_complete_geo_script(read_whole_file(m_path)))
-      fail("the script ends within a statement, a comment or a block: it is truncated (or the last semicolon is "
-           "missing)");
-  }
 
   void add_surfaces()
   {

@@ -72,31 +72,17 @@ inline Labelled_mesh parse_obj(std::string text, const std::string& path)
   return mesh;
 }
 
-/// The next line of an OFF file that is neither blank nor a comment; true if there is one.
-inline bool go_to_off_line(Text_scanner& scanner, std::string_view& first_word)
-{
-  while (!scanner.at_end()) {
-    first_word = scanner.word_on_line();
-    if (!first_word.empty() && first_word.front() != '#')
-      return true;
-    scanner.rest_of_line();
-  }
-  first_word = {};
-  return false;
-}
-
 /// Object File Format, text; colours and other extras at the ends of lines are skipped.
 inline Labelled_mesh parse_off(const std::string& text, const std::string& path)
 {
   Text_scanner scanner(text, path);
-  std::string_view word;
-  go_to_off_line(scanner, word);
+  std::string_view word = scanner.first_word_of_line();
   if (word != "OFF" && word != "COFF")
     scanner.fail("the file does not begin with OFF");
   word = scanner.word_on_line();
   if (word.empty() || word.front() == '#') {
     scanner.rest_of_line();
-    go_to_off_line(scanner, word);
+    word = scanner.first_word_of_line();
   }
   const long long n_points = scanner.number<long long>(word, "the number of vertices");
   const std::size_t n_faces = scanner.count("the number of faces", 2);
@@ -107,7 +93,8 @@ inline Labelled_mesh parse_off(const std::string& text, const std::string& path)
 
   Labelled_mesh mesh;
   for (long long v = 0; v < n_points; ++v) {
-    if (!go_to_off_line(scanner, word))
+    word = scanner.first_word_of_line();
+    if (word.empty())
       scanner.fail("the file ends at vertex " + std::to_string(v) + " of " + std::to_string(n_points));
     const double x = scanner.number<double>(word, "a coordinate");
     const double y = scanner.number<double>(scanner.word_on_line(), "a coordinate");
@@ -115,7 +102,8 @@ inline Labelled_mesh parse_off(const std::string& text, const std::string& path)
     scanner.rest_of_line();
   }
   for (std::size_t f = 0; f < n_faces; ++f) {
-    if (!go_to_off_line(scanner, word))
+    word = scanner.first_word_of_line();
+    if (word.empty())
       scanner.fail("the file ends at face " + std::to_string(f) + " of " + std::to_string(n_faces));
     const long n = scanner.number<long>(word, "a number of corners");
     if (n < 3)

@@ -57,7 +57,7 @@ inline Labelled_mesh read_labelled_mesh(const std::string& path, bool isolate, d
   if (extension == ".off")
     return parse_off(read_whole_file(path), path);
   if (extension == ".vtk")
-    return parse_vtk(read_whole_file(path), path);
+    return vtk_polygons(Vtk_parser(read_whole_file(path), path).parse(), path);
   const auto isolated = [&](const auto& function) {
     return isolate ? run_in_child_process<Labelled_mesh>(function, time_limit_seconds, path) : function();
   };

@@ -6,14 +6,68 @@
 
 #include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Mesh_io/internal/Gmsh_session.h>
+#include <Quadrille/Mesh_io/internal/Text_scanner.h>
 #include <Quadrille/Mesh_io/internal/files.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace Quadrille {
 namespace internal {
+
+/// Checks what Gmsh does not: it takes a file without the header for a script, fills up what a truncated one lacks, and
+/// allocates whatever numbers of nodes and elements the file claims to have.
+inline void check_msh_text(const std::string& path)
+{
+  const std::string text = read_whole_file(path);
+  const auto fail = [&](const std::string& reason) { throw Invalid_input_error(path + ": " + reason); };
+  if (text.rfind("$MeshFormat", 0) != 0 && text.rfind("$Comments", 0) != 0)
+    fail("this is not a Gmsh mesh (it does not begin with $MeshFormat)");
+  for (const char* end : {"$EndNodes", "$EndElements"})
+    if (text.find(end) == std::string::npos)
+      fail(std::string("the file is truncated: there is no ") + end);
+  Text_scanner format(std::string_view(text).substr(std::min(text.find("$MeshFormat"), text.size())), path);
+  format.word();
+  const double version = format.number<double>("the version of the format");
+  const bool binary = format.number<int>("the type of the file") != 0;
+  for (const std::string section : {"$Nodes", "$Elements"}) {
+    const std::size_t begin = text.find(section);
+    if (begin == std::string::npos)
+      fail("there is no section " + section);
+    Text_scanner scanner(std::string_view(text).substr(begin + section.size()), path);
+    const auto check = [&](unsigned long long n) {
+      if (n > text.size())
+        fail(section + " begins with the number " + std::to_string(n) +
+             ", more than the file has room for: it is truncated or damaged");
+    };
+    if (binary && version >= 4) {
+      scanner.rest_of_line();
+      for (int i = 0; i < 2; ++i) { // blocks, and then nodes or elements
+        std::uint64_t n = 0;
+        std::memcpy(&n, scanner.bytes(sizeof n, "section " + section), sizeof n);
+        check(n);
+      }
+    } else {
+      for (int i = 0; i < (version >= 4 ? 2 : 1); ++i)
+        check(scanner.number<std::uint64_t>("a count"));
+    }
+  }
+}
+
+/// Makes the mesh of a file Gmsh's current model. \throws Invalid_input_error
+inline void open_msh(const std::string& path, const Gmsh_session& session)
+{
+  check_msh_text(path);
+  gmsh::open(path);
+  const std::string error = session.first_error();
+  if (!error.empty())
+    throw Invalid_input_error(path + ": the mesh cannot be read: " + error);
+}
 
 /// Gmsh MSH files of all versions: first-order lines, triangles and quadrangles with entities and physical groups.
 class Msh_reader {
@@ -22,19 +76,9 @@ public:
 
   Labelled_mesh read()
   {
-    // Gmsh takes a file without the header for a script, and fills up what a truncated one lacks.
-    const std::string text = read_whole_file(m_path);
-    if (text.rfind("$MeshFormat", 0) != 0 && text.rfind("$Comments", 0) != 0)
-      fail("this is not a Gmsh mesh (it does not begin with $MeshFormat)");
-    for (const char* end : {"$EndNodes", "$EndElements"})
-      if (text.find(end) == std::string::npos)
-        fail(std::string("the file is truncated: there is no ") + end);
     const Gmsh_session session;
     Gmsh_session::call(m_path, [&] {
-      gmsh::open(m_path);
-      const std::string error = session.first_error();
-      if (!error.empty())
-        fail("the mesh cannot be read: " + error);
+      open_msh(m_path, session);
       add_points();
       const Gmsh_groups groups;
       m_mesh.groups = groups.groups;

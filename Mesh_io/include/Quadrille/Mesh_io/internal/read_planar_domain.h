@@ -67,9 +67,7 @@ inline Planar_domain read_planar_domain(const std::string& path, const Planar_do
 {
   internal::check_options(options);
   internal::check_readable(path);
-  static const char* const geometry[] = {".geo", ".step", ".stp", ".brep", ".iges", ".igs"};
-  const std::string extension = internal::extension_of(path);
-  if (std::find(std::begin(geometry), std::end(geometry), extension) != std::end(geometry))
+  if (internal::is_geometry_file(path))
     return internal::read_geometry_domain(path, options);
   if (options.triangle_size > 0)
     throw Invalid_argument_error(path + ": a triangle size is only for geometry files; the triangles of a mesh file "

@@ -96,9 +96,10 @@ inline bool read_all(int file, double time_limit_seconds, std::vector<char>& byt
 /// Calls `function()` in a child process and returns its result (exchanged by `exchange(archive, result)`).
 ///
 /// Whatever happens to the child (a crash, an endless loop, a call of exit()) comes back as `Invalid_input_error` that
-/// starts with `subject`; so do the errors that `function` throws, unchanged.
+/// starts with `subject` and blames `worker`; so do the errors that `function` throws, unchanged.
 template <class Result, class Function>
-Result run_in_child_process(const Function& function, double time_limit_seconds, const std::string& subject)
+Result run_in_child_process(const Function& function, double time_limit_seconds, const std::string& subject,
+                            const std::string& worker = "the geometry kernel")
 {
   int ends[2];
   if (::pipe(ends) != 0)
@@ -123,10 +124,10 @@ Result run_in_child_process(const Function& function, double time_limit_seconds,
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (!in_time)
-    throw Invalid_input_error(subject + ": the geometry kernel did not finish within " +
+    throw Invalid_input_error(subject + ": " + worker + " did not finish within " +
                               std::to_string(int(time_limit_seconds)) + " seconds");
   if (bytes.empty())
-    throw Invalid_input_error(subject + ": the geometry kernel ended abnormally (" +
+    throw Invalid_input_error(subject + ": " + worker + " ended abnormally (" +
                               (WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status)) : "it called exit") +
                               ")");
   Byte_reader reader(bytes);
@@ -145,7 +146,7 @@ Result run_in_child_process(const Function& function, double time_limit_seconds,
 #else
 
 template <class Result, class Function>
-Result run_in_child_process(const Function& function, double, const std::string&)
+Result run_in_child_process(const Function& function, double, const std::string&, const std::string& = {})
 {
   return function();
 }
