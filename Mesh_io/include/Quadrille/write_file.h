@@ -45,28 +45,43 @@ inline void check_can_write(const std::string& path)
   std::filesystem::remove(temporary, code);
 }
 
-/// Writes `content` to `path`: completely, or not at all.
+/// Lets `write(stream)` write the content of the file `path`, which appears completely, or not at all.
 ///
-/// \throws Output_error naming `path` if its folder does not exist or is not writable, or the disk is full. What was
-/// at `path` before is untouched then.
-inline void write_file(const std::string& path, const std::string& content)
+/// \throws Output_error naming `path` if its folder does not exist or is not writable, or the disk is full; and what
+/// `write` throws. What was at `path` before is untouched then.
+template <class Write> void write_file_by(const std::string& path, const Write& write)
 {
   check_can_write(path);
   const std::string temporary = temporary_name_for(path);
-  const auto fail = [&](const std::string& reason) {
+  const auto remove = [&] {
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
-    throw Output_error(path + ": " + reason);
   };
   std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-  file.write(content.data(), std::streamsize(content.size()));
+  try {
+    write(file);
+  } catch (...) {
+    file.close();
+    remove();
+    throw;
+  }
   file.close();
-  if (!file)
-    fail("the file cannot be written completely; is the disk full?");
+  if (!file) {
+    remove();
+    throw Output_error(path + ": the file cannot be written completely; is the disk full?");
+  }
   std::error_code code;
   std::filesystem::rename(temporary, path, code);
-  if (code)
-    fail("the file cannot be put in its place: " + code.message());
+  if (code) {
+    remove();
+    throw Output_error(path + ": the file cannot be put in its place: " + code.message());
+  }
+}
+
+/// Writes `content` to `path`, as `write_file_by()`.
+inline void write_file(const std::string& path, const std::string& content)
+{
+  write_file_by(path, [&](std::ostream& file) { file.write(content.data(), std::streamsize(content.size())); });
 }
 
 } // namespace Quadrille
