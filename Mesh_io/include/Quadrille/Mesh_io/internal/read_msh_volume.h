@@ -35,12 +35,7 @@ public:
   /// \param volumes, curves the tags of those whose tetrahedra are wanted and whose lines are features; -1 means all
   Tetrahedral_mesh get(const std::vector<int>& volumes, const std::vector<int>& curves)
   {
-    std::vector<std::size_t> corners;
-    for (const int volume : volumes)
-      add_tetrahedra(volume, corners);
-    m_tags = corners;
-    std::sort(m_tags.begin(), m_tags.end());
-    m_tags.erase(std::unique(m_tags.begin(), m_tags.end()), m_tags.end());
+    const std::vector<std::size_t> corners = find_vertices(volumes);
     add_points();
     m_mesh.tetrahedra.resize(corners.size() / 4);
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -52,8 +47,27 @@ public:
     return std::move(m_mesh);
   }
 
+  /// The tags of all nodes of tetrahedra, ascending.
+  std::vector<std::size_t> node_tags()
+  {
+    find_vertices({-1});
+    return m_tags;
+  }
+
 private:
   [[noreturn]] void fail(const std::string& reason) const { throw Invalid_input_error(m_subject + ": " + reason); }
+
+  /// Sets the tags of the vertices, and returns the tags of the tetrahedra's corners.
+  std::vector<std::size_t> find_vertices(const std::vector<int>& volumes)
+  {
+    std::vector<std::size_t> corners;
+    for (const int volume : volumes)
+      add_tetrahedra(volume, corners);
+    m_tags = corners;
+    std::sort(m_tags.begin(), m_tags.end());
+    m_tags.erase(std::unique(m_tags.begin(), m_tags.end()), m_tags.end());
+    return corners;
+  }
 
   struct Element_type {
     std::string name;
