@@ -6,7 +6,6 @@
 
 #include <Quadrille/Metric_connection.h>
 #include <Quadrille/Metric_field.h>
-#include <Quadrille/align_with_boundary.h>
 
 #include <Eigen/Core>
 
@@ -60,9 +59,11 @@ struct Singular_graph {
   std::vector<Node> nodes;
   std::vector<Obstacle> obstacles;
   std::size_t loops = 0, boundary_ends = 0; ///< counts
+  /// Loops, and arcs from boundary to boundary, that were left out since the mesh does not resolve them.
+  std::size_t unresolved_arcs = 0;
   double seconds = 0;
 
-  /// A sufficient number of conditions that are necessary only: see `obstacles`.
+  /// Whether nothing that is known stands against it: the conditions are necessary, not sufficient.
   bool is_hex_meshable() const { return obstacles.empty(); }
   /// How many nodes have which degree.
   std::map<int, std::size_t> nodes_by_degree() const;
@@ -72,9 +73,9 @@ struct Singular_graph {
 struct Singular_graph_options {
   int threads = 0;          ///< 0: all cores; the result does not depend on it
   int smoothing_steps = 20; ///< of the curves' points towards the means of their neighbours
-  /// Arcs between nodes that are shorter than this many edges' lengths are less than what the mesh resolves: nodes that
-  /// they join are one node, which the mesh happens to split.
-  double resolution = 3;
+  /// In lengths of edges: shorter arcs between nodes are less than what the mesh resolves, and the nodes that they join
+  /// are one node. Compound arcs up to three times as long are: in them nodes of degree 4 split into two of degree 3.
+  double resolution = 1;
 };
 
 /// The singular graph of a field of frames at the vertices of a mesh.
@@ -85,13 +86,13 @@ struct Singular_graph_options {
 /// \pre as for `volumetric_cross_field()`. Time is linear in the size.
 template <class TetrahedralMesh>
 Singular_graph singular_graph(const TetrahedralMesh& mesh, const std::vector<Eigen::Matrix3d>& frames,
-                              const Vertex_alignments& alignments, const Singular_graph_options& options = {});
+                              const Singular_graph_options& options = {});
 
 /// The same for a field under a metric.
 template <class TetrahedralMesh>
 Singular_graph singular_graph(const TetrahedralMesh& mesh, const std::vector<Eigen::Matrix3d>& frames,
-                              const Vertex_alignments& alignments, const Metric_field& metric,
-                              const Metric_connection& connection, const Singular_graph_options& options = {});
+                              const Metric_field& metric, const Metric_connection& connection,
+                              const Singular_graph_options& options = {});
 
 } // namespace Quadrille
 

@@ -7,6 +7,9 @@
 #include <Quadrille/cross_harmonics.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cmath>
 
 namespace Quadrille {
 
@@ -29,6 +32,16 @@ struct Cross_alignment {
     result.crosses.basis.setZero();
     result.crosses.frame = R;
     return result;
+  }
+
+  /// The frame nearest to `q` among those with this alignment.
+  Eigen::Matrix3d nearest(const Cross_harmonics& q) const
+  {
+    if (is_fixed)
+      return crosses.frame;
+    const Eigen::Vector2d s = crosses.basis.transpose() * q;
+    return crosses.frame *
+           Eigen::AngleAxisd(std::atan2(s[0], s[1]) / 4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   }
 };
 

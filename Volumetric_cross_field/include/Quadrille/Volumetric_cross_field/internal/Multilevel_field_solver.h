@@ -170,18 +170,9 @@ private:
     });
     parallel_for(n, m_threads, [&](std::size_t v) {
       if (const Cross_alignment* alignment = graph.alignment(v))
-        field.frames[v] = nearest_aligned(*alignment, x[v].cast<double>());
+        field.frames[v] = alignment->nearest(x[v].cast<double>());
       field.crosses[v] = cross_harmonics(field.frames[v]);
     });
-  }
-
-  static Eigen::Matrix3d nearest_aligned(const Cross_alignment& alignment, const Cross_harmonics& q)
-  {
-    if (alignment.is_fixed)
-      return alignment.crosses.frame;
-    const Eigen::Vector2d s = alignment.crosses.basis.transpose() * q;
-    return alignment.crosses.frame *
-           Eigen::AngleAxisd(std::atan2(s[0], s[1]) / 4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   }
 
   template <class Done>
@@ -219,7 +210,7 @@ private:
       if (!coarse.to_fine.empty())
         frame = (coarse.to_fine[v] * frame).eval();
       if (const Cross_alignment* alignment = fine.alignment(v))
-        frame = nearest_aligned(*alignment, cross_harmonics(frame));
+        frame = alignment->nearest(cross_harmonics(frame));
       result.crosses[v] = cross_harmonics(frame);
     });
     return result;

@@ -49,22 +49,11 @@ private:
   using Valence = Singular_graph::Valence;
   static constexpr int at_boundary = Singular_graph::at_boundary;
 
-  static bool is_between_nodes(const Path& path)
-  {
-    return !path.is_loop && path.from != at_boundary && path.to != at_boundary;
-  }
-
   int leader(int node) const
   {
     while (m_leader[std::size_t(node)] != node)
       node = m_leader[std::size_t(node)];
     return node;
-  }
-
-  static double length_of(const Path& path, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
-  {
-    return path.passages.empty() ? (to - from).norm()
-                                 : std::max((path.passages.front().point - from).norm(), (to - from).norm());
   }
 
   /// Contracts what is shorter than the mesh resolves.
@@ -75,9 +64,14 @@ private:
       m_leader[i] = int(i);
     std::vector<Path> kept;
     for (Path& path : m_paths) {
-      if (is_between_nodes(path) && is_unresolved(path)) {
+      const bool has_start = path.from != at_boundary, has_end = path.to != at_boundary;
+      if (has_start != has_end || !is_unresolved(path)) {
+        kept.push_back(std::move(path));
+      } else if (has_start) {
         const int a = leader(path.from), b = leader(path.to);
         m_leader[std::size_t(std::max(a, b))] = std::min(a, b);
+      } else if (is_across(path)) {
+        ++m_graph.unresolved_arcs;
       } else {
         kept.push_back(std::move(path));
       }
@@ -101,12 +95,29 @@ private:
 
   bool is_unresolved(const Path& path) const
   {
-    // The path's extent: it zigzags through the tetrahedra, so its own length says little.
-    const Eigen::Vector3d& from = m_points[std::size_t(path.from)];
-    double extent = (m_points[std::size_t(path.to)] - from).norm();
+    // Not its length, since it zigzags through the tetrahedra.
+    const Eigen::Vector3d from =
+        path.from != at_boundary ? m_points[std::size_t(path.from)] : path.passages.front().point;
+    double extent = path.to != at_boundary ? (m_points[std::size_t(path.to)] - from).norm() : 0;
     for (const Passage& passage : path.passages)
       extent = std::max(extent, (passage.point - from).norm());
-    return path.tetrahedra.empty() || extent < m_options.resolution * path.edge_length;
+    const double factor = path.kind == Kind::quarter_turn ? 1 : 3;
+    return path.tetrahedra.empty() || extent < factor * m_options.resolution * path.edge_length;
+  }
+
+  /// Whether the axis lies across a short path: no singular curve, but frames on the boundary that are not resolved. A
+  /// plate of a single layer of tetrahedra has short paths too, but along their axis.
+  static bool is_across(const Path& path)
+  {
+    if (path.is_loop)
+      return true;
+    const Eigen::Vector3d chord = path.passages.back().point - path.passages.front().point;
+    double sum = 0, length = 0;
+    for (const Passage& passage : path.passages) {
+      sum += passage.axis.dot(passage.root * chord);
+      length += (passage.root * chord).norm();
+    }
+    return !(std::abs(sum) > 0.5 * length);
   }
 
   std::vector<std::vector<std::size_t>> ends_at_nodes() const
@@ -264,26 +275,28 @@ private:
     arc.valence = valence_of(path, arc);
   }
 
-  /// By the lengths on which the axis goes along the curve in one sense and in the other.
+  /// By the sense in which the axis goes along the curve.
   static Valence valence_of(const Path& path, const Arc& arc)
   {
     if (path.kind == Kind::third_turn || path.kind == Kind::diagonal_half_turn)
       return Valence::compound;
-    constexpr double clear = 0.3; // an axis within 70 degrees of the tangent
-    constexpr double share = 0.15;
-    double of_three = 0, of_five = 0, sum = 0;
-    const std::size_t n = arc.points.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t next = i + 1 < n ? i + 1 : (arc.is_loop ? 0 : i);
-      const double length = (arc.points[next] - arc.points[i]).norm();
-      const double alignment = 0.5 * (arc.alignment[i] + arc.alignment[next]);
-      sum += alignment * length;
-      of_three += alignment < -clear ? length : 0;
-      of_five += alignment > clear ? length : 0;
-    }
-    // An end of the curve where it bends within a few tetrahedra is no change of valence.
-    const double least = std::max(share * arc.length, 2 * path.edge_length);
-    if (of_three > least && of_five > least)
+    double sum = 0;
+    const auto for_each_segment = [&](const auto& function) {
+      const std::size_t n = arc.points.size();
+      for (std::size_t i = 0; i + 1 < n + (arc.is_loop ? 1 : 0); ++i) {
+        const std::size_t next = (i + 1) % n;
+        function((arc.points[next] - arc.points[i]).norm(), 0.5 * (arc.alignment[i] + arc.alignment[next]));
+      }
+    };
+    for_each_segment([&](double length, double alignment) { sum += length * alignment; });
+    // Where the frames' axis lies across the curve, or beyond, the valence is not the one that it is elsewhere. That
+    // stretch is often short: such arcs bend where they come close to the boundary.
+    constexpr double across = 0.2;
+    double other = 0;
+    for_each_segment([&](double length, double alignment) {
+      other += (sum < 0 ? -alignment : alignment) < across ? length : 0;
+    });
+    if (!path.tetrahedra.empty() && other > 0.25 * path.edge_length && arc.length > 2 * path.edge_length)
       return Valence::mixed;
     if (path.kind == Kind::half_turn)
       return sum < 0 ? Valence::two : Valence::six;

@@ -15,12 +15,12 @@ namespace internal {
 
 template <class Mesh>
 Singular_graph make_singular_graph(const Mesh& mesh, const std::vector<Eigen::Matrix3d>& frames,
-                                   const Vertex_alignments& alignments, const Metric_field* metric,
-                                   const Metric_connection& connection, const Singular_graph_options& options)
+                                   const Metric_field* metric, const Metric_connection& connection,
+                                   const Singular_graph_options& options)
 {
   const auto start = std::chrono::steady_clock::now();
-  const Edge_matcher matcher(frames, alignments, connection);
-  const std::vector<unsigned char> faces = singular_faces(mesh, frames, alignments, connection, options.threads);
+  const Edge_matcher matcher(frames, connection);
+  const std::vector<unsigned char> faces = singular_faces(mesh, matcher, options.threads);
   const Singular_face_paths paths = Singular_face_tracer<Mesh>(mesh, frames, matcher, metric).trace(faces);
   Singular_graph graph = Singular_graph_builder(paths, options).build();
   graph.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -44,17 +44,17 @@ inline std::size_t Singular_graph::number_of_arcs(Valence valence) const
 
 template <class TetrahedralMesh>
 Singular_graph singular_graph(const TetrahedralMesh& mesh, const std::vector<Eigen::Matrix3d>& frames,
-                              const Vertex_alignments& alignments, const Singular_graph_options& options)
+                              const Singular_graph_options& options)
 {
-  return internal::make_singular_graph(mesh, frames, alignments, nullptr, Metric_connection(), options);
+  return internal::make_singular_graph(mesh, frames, nullptr, Metric_connection(), options);
 }
 
 template <class TetrahedralMesh>
 Singular_graph singular_graph(const TetrahedralMesh& mesh, const std::vector<Eigen::Matrix3d>& frames,
-                              const Vertex_alignments& alignments, const Metric_field& metric,
-                              const Metric_connection& connection, const Singular_graph_options& options)
+                              const Metric_field& metric, const Metric_connection& connection,
+                              const Singular_graph_options& options)
 {
-  return internal::make_singular_graph(mesh, frames, alignments, &metric, connection, options);
+  return internal::make_singular_graph(mesh, frames, &metric, connection, options);
 }
 
 } // namespace Quadrille

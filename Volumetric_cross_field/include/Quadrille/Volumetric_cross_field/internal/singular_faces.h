@@ -6,12 +6,10 @@
 
 #include <Quadrille/Metric_connection.h>
 #include <Quadrille/Volumetric_cross_field/internal/Tetrahedron_adjacency.h>
-#include <Quadrille/align_with_boundary.h>
 #include <Quadrille/octahedral_group.h>
 #include <Quadrille/parallel_for.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
@@ -23,9 +21,8 @@ namespace internal {
 /// How the frames at the ends of an edge compare.
 class Edge_matcher {
 public:
-  Edge_matcher(const std::vector<Eigen::Matrix3d>& frames, const Vertex_alignments& alignments,
-               const Metric_connection& connection)
-      : m_frames(frames), m_alignments(alignments), m_connection(connection)
+  Edge_matcher(const std::vector<Eigen::Matrix3d>& frames, const Metric_connection& connection)
+      : m_frames(frames), m_connection(connection)
   {
   }
 
@@ -48,23 +45,15 @@ public:
   }
 
 private:
-  /// Where the boundary bends by more than this between neighbours, the frame that is carried along by the bend counts:
-  /// the nearest matching could mistake the normal for another axis.
-  static constexpr double cosine_of_bend = 0.9;
-
   const std::vector<Eigen::Matrix3d>& m_frames;
-  const Vertex_alignments& m_alignments;
   const Metric_connection& m_connection;
 };
 
 /// Per tetrahedron the set of its singular faces, as bits: those around which the matchings of the edges are not the
 /// identity. Never exactly one, since the product around all four faces is the identity.
 template <class Mesh>
-std::vector<unsigned char> singular_faces(const Mesh& mesh, const std::vector<Eigen::Matrix3d>& frames,
-                                          const Vertex_alignments& alignments, const Metric_connection& connection,
-                                          int threads)
+std::vector<unsigned char> singular_faces(const Mesh& mesh, const Edge_matcher& matcher, int threads)
 {
-  const Edge_matcher matcher(frames, alignments, connection);
   std::vector<unsigned char> result(mesh.number_of_tetrahedra());
   parallel_for(result.size(), threads, [&](std::size_t t) {
     const std::array<int, 4> corners = corners_of(mesh, t);

@@ -8,6 +8,7 @@
 #include <Quadrille/Volumetric_cross_field/internal/make_field_graph.h>
 #include <Quadrille/Volumetric_cross_field/internal/singular_faces.h>
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <chrono>
@@ -32,17 +33,20 @@ Volumetric_cross_field smoothest_field(const Mesh& mesh, const Vertex_alignments
     parallel_for(n, options.threads,
                  [&](std::size_t i) { result.frames[std::size_t(numbered.mesh_vertex(i))] = field.frames[i]; });
   };
+  const Edge_matcher matcher(result.frames, connection);
   std::array<std::size_t, 5> last{};
   const auto has_settled = [&](const Frames_and_crosses& field, const Cross_energy_newton::Step& step) {
-    result.energy = step.energy;
-    const double decrease = (step.energy_before - step.energy) / step.energy;
-    if (!(decrease > 1e-2 * options.energy_tolerance))
+    result.energy = std::max(step.energy, 0.0);
+    // Of fields that are smooth altogether only rounding errors are left.
+    const double rounding = 1e-12 * numbered.graph().energy_unit * double(n);
+    const double decrease = (step.energy_before - step.energy) / (result.energy + rounding);
+    if (!(decrease > 1e-2 * options.energy_tolerance) || step.energy_before < rounding)
       return result.has_settled = true;
     if (decrease > 3 * options.energy_tolerance)
       return false;
     take(field);
     std::array<std::size_t, 5> counts{};
-    for (const unsigned char faces : singular_faces(mesh, result.frames, alignments, connection, options.threads))
+    for (const unsigned char faces : singular_faces(mesh, matcher, options.threads))
       ++counts[std::bitset<4>(faces).count()];
     // Arcs that move change the numbers of tetrahedra with two singular faces, but not of those with three and four.
     const bool is_same = counts[3] == last[3] && counts[4] == last[4];
