@@ -20,9 +20,10 @@ namespace po = boost::program_options;
 using Strings = std::vector<std::string>;
 
 const char* const main_help =
-    R"(quadrille: planar domains to quadrilateral meshes with prescribed element sizes
+    R"(quadrille: quadrilateral meshes with prescribed element sizes, and cross fields in volumes
 
   quadrille quad IN -o OUT [options]   mesh a planar domain
+  quadrille cross IN -o OUT [options]  the smoothest cross field of a volume, and its singular curves
   quadrille check MESH [options]       validity and quality of a quad mesh
   quadrille COMMAND --help             options of a command
   quadrille --version
@@ -36,6 +37,16 @@ const char* const quad_help =
 Meshes the planar domain IN (.geo .step .stp .brep .iges; triangles in .msh .obj .off .vtk .ply .stl) with quads and
 writes them to OUT (.msh .vtk .vtu .obj). Sizes are lengths in the unit of IN. Default sizes: those at the points of a
 .geo file, or else the diagonal of the bounding box / 40.
+)";
+
+const char* const cross_help =
+    R"(quadrille cross IN -o OUT [options]
+
+Computes the smoothest field of crosses in a volume that is aligned with its boundary, and the graph of its singular
+curves. IN is a tetrahedral mesh (.msh .mesh .vtk .node .ele .ovm), or a closed surface (.off .obj .ply .stl, or .msh
+.vtk .mesh with triangles) or geometry (.step .stp .brep .iges .geo), which is filled with tetrahedra. OUT is .vtu (the
+mesh with frames, harmonics and eta), .fra or .ff3 (frames per tetrahedron for other programs), or .mesh .msh .vtk (the
+mesh alone).
 )";
 
 const char* const check_help =
@@ -86,6 +97,29 @@ po::options_description quad_options()
   options.add_options()("field", po::value<Strings>()->value_name("F.vtu"), "write the frame field");
   options.add_options()("map", po::value<Strings>()->value_name("F.obj"), "write the map as texture coordinates");
   options.add_options()("picture", po::value<Strings>()->value_name("F.svg|F.png"), "draw field, map, layout and mesh");
+  options.add_options()("json", po::value<Strings>()->value_name("F.json"), "write the summary");
+  options.add_options()("quiet", "print errors only");
+  options.add_options()("help,h", "this text");
+  return options;
+}
+
+po::options_description cross_options()
+{
+  po::options_description options("Options", 100);
+  options.add_options()("output,o", po::value<Strings>()->value_name("OUT"),
+                        "what to write; repeatable, for several formats");
+  options.add_options()("graph", po::value<Strings>()->value_name("F.vtu"), "write the singular curves as lines");
+  options.add_options()("metric", po::value<Strings>()->value_name("F"),
+                        "sizes or metrics at the vertices of IN (.sol .txt .msh): crosses are compared by parallel "
+                        "transport under them");
+  options.add_options()("crease-angle", po::value<Strings>()->value_name("DEG"),
+                        "edges where the boundary bends by more are creases (default 40; marked edges 10)");
+  options.add_options()("tet-size", po::value<Strings>()->value_name("H"),
+                        "length of edges where IN is filled with tetrahedra (default: chosen and printed)");
+  options.add_options()("threads", po::value<Strings>()->value_name("T"), "threads (default 0: all cores)");
+  options.add_options()("seed", po::value<Strings>()->value_name("K"),
+                        "start from random crosses instead of the harmonic extension (default 0)");
+  options.add_options()("picture", po::value<Strings>()->value_name("F.svg|F.png"), "draw the singular curves");
   options.add_options()("json", po::value<Strings>()->value_name("F.json"), "write the summary");
   options.add_options()("quiet", "print errors only");
   options.add_options()("help,h", "this text");
@@ -221,6 +255,31 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   return result;
 }
 
+Cross_arguments cross_arguments(const Parsed_options& options)
+{
+  Cross_arguments result;
+  result.input = options.input("input file");
+  result.outputs = options.all("output");
+  if (result.outputs.empty())
+    throw Invalid_argument_error("no output file is given; use -o OUT");
+  result.graph = options.one("graph");
+  result.picture = options.one("picture");
+  result.json = options.one("json");
+  result.metric = options.one("metric");
+  if (options.has("crease-angle")) {
+    result.crease_angle = options.number("crease-angle", 0.0, 0.0);
+    if (*result.crease_angle > 180)
+      throw Invalid_argument_error("option --crease-angle: angles are at most 180 degrees");
+  }
+  result.tetrahedron_size = options.number("tet-size", 0.0, 0.0);
+  if (options.has("tet-size") && result.tetrahedron_size == 0)
+    throw Invalid_argument_error("option --tet-size: the size must be positive");
+  result.seed = options.number<std::uint64_t>("seed", result.seed, 0);
+  result.threads = options.number("threads", 0, 0);
+  result.quiet = options.has("quiet");
+  return result;
+}
+
 Check_arguments check_arguments(const Parsed_options& options)
 {
   Check_arguments result;
@@ -257,18 +316,26 @@ Command_line parse_command_line(const std::vector<std::string>& arguments)
     result.text = "quadrille " QUADRILLE_VERSION "\n";
     return result;
   }
-  if (command != "quad" && command != "check")
-    throw Invalid_argument_error("'" + command + "' is no command; 'quad' and 'check' are (try quadrille --help)");
-  const bool is_quad = command == "quad";
   try {
-    const po::options_description description = is_quad ? quad_options() : check_options();
-    const Parsed_options options(description, Strings(arguments.begin() + 1, arguments.end()));
-    if (options.has("help"))
-      result.text = help_text(is_quad ? quad_help : check_help, description);
-    else if (is_quad)
-      result.quad = quad_arguments(options);
+    const Strings rest(arguments.begin() + 1, arguments.end());
+    const auto parse = [&](const char* introduction, const po::options_description& description, const auto& take) {
+      const Parsed_options options(description, rest);
+      if (options.has("help"))
+        result.text = help_text(introduction, description);
+      else
+        take(options);
+    };
+    if (command == "quad")
+      parse(quad_help, quad_options(), [&](const Parsed_options& options) { result.quad = quad_arguments(options); });
+    else if (command == "cross")
+      parse(cross_help, cross_options(),
+            [&](const Parsed_options& options) { result.cross = cross_arguments(options); });
+    else if (command == "check")
+      parse(check_help, check_options(),
+            [&](const Parsed_options& options) { result.check = check_arguments(options); });
     else
-      result.check = check_arguments(options);
+      throw Invalid_argument_error("'" + command +
+                                   "' is no command; 'quad', 'cross' and 'check' are (try quadrille --help)");
   } catch (const po::error& error) {
     throw Invalid_argument_error(std::string(error.what()) + " (try quadrille " + command + " --help)");
   }

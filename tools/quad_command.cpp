@@ -6,6 +6,7 @@
 #include "Console.h"
 #include "Quad_pipeline.h"
 #include "json_summary.h"
+#include "picture_file.h"
 #include "pipeline_output.h"
 #include "svg_picture.h"
 
@@ -204,7 +205,7 @@ private:
     if (!m_arguments.map.empty())
       write_corner_map(m_arguments.map, domain, m_result.corner_uv);
     if (!m_arguments.picture.empty())
-      write_picture(m_arguments.picture, domain, m_result);
+      write_picture_file(m_arguments.picture, svg_picture(domain, m_result));
   }
 
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }

@@ -4,6 +4,7 @@
 #include "Console.h"
 #include "check_command.h"
 #include "command_line.h"
+#include "cross_command.h"
 #include "quad_command.h"
 
 #include <Quadrille/exceptions.h>
@@ -27,6 +28,8 @@ int run(const std::vector<std::string>& arguments)
   Quadrille::listen_to_interrupts();
   if (command_line.quad)
     Quadrille::run_quad_command(*command_line.quad);
+  else if (command_line.cross)
+    Quadrille::run_cross_command(*command_line.cross);
   else if (command_line.check)
     Quadrille::run_check_command(*command_line.check);
   else

@@ -14,12 +14,6 @@ namespace Quadrille {
 /// 5, violet: others), the isolines of the map, the layout and the quads, as far as the run got.
 std::string svg_picture(const Planar_domain& domain, const Quad_pipeline_result& result);
 
-/// \throws Invalid_argument_error if `path` ends neither in .svg nor in .png, or in .png and there is no rsvg-convert.
-void check_picture_name(const std::string& path);
-
-/// Writes the picture to `path`; PNG is made by rsvg-convert. \throws Output_error
-void write_picture(const std::string& path, const Planar_domain& domain, const Quad_pipeline_result& result);
-
 } // namespace Quadrille
 
 #endif

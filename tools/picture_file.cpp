@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "svg_picture.h"
+#include "picture_file.h"
 
 #include <Quadrille/write_file.h>
 
@@ -59,9 +59,8 @@ void check_picture_name(const std::string& path)
                                         "(Debian package librsvg2-bin); give a name that ends in .svg");
 }
 
-void write_picture(const std::string& path, const Planar_domain& domain, const Quad_pipeline_result& result)
+void write_picture_file(const std::string& path, const std::string& picture)
 {
-  const std::string picture = svg_picture(domain, result);
   if (std::filesystem::path(path).extension() != ".png")
     return write_file(path, picture);
   const std::string png = temporary_name_for(path), svg = png + ".svg";
