@@ -186,15 +186,13 @@ private:
       const Cross_energy_newton::Step step = newton.step(field.frames, field.crosses, damping, 60, tolerance);
       ++m_counters.newton_steps;
       m_counters.conjugate_gradients += std::size_t(step.conjugate_gradients);
-      if (step.is_downhill) {
-        if (is_done(field, step))
-          return;
-        damping = step.energy_before - step.energy < 1e-4 * step.energy ? 0 : least_damping;
-      } else {
-        if (damping == 1)
-          return;
+      if (!step.is_downhill && damping < 1) {
         damping = std::min(1.0, damping + 0.3);
+        continue;
       }
+      if (is_done(field, step) || !step.is_downhill)
+        return;
+      damping = step.energy_before - step.energy < 1e-4 * step.energy ? 0 : least_damping;
     }
   }
 
