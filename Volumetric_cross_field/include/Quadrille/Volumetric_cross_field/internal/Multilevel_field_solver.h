@@ -64,6 +64,9 @@ public:
       coarser.push_back(std::move(coarse));
     }
     m_counters.levels = coarser.size() + 1;
+    for (std::size_t level = 0; level <= coarser.size(); ++level)
+      m_work += double(graph(level).number_of_vertices()) *
+                (steps_of_diffusion(level == coarser.size()) + usual_newton_steps);
     Frames_and_crosses field = start(graph(coarser.size()));
     const std::size_t coarsest = coarser.size();
     for (std::size_t level = coarsest;; --level) {
@@ -89,8 +92,17 @@ private:
  ///< vertices: below, a coarser level would save nothing
   static constexpr double shortest_time = 1.4;
   static constexpr double accuracy = 0.02; ///< of a step of diffusion, relative to what it changes
-  static constexpr int newton_steps_when_coarse = 10;
+  static constexpr int newton_steps_when_coarse = 10, usual_newton_steps = 15;
   static constexpr double least_damping = 0.1; ///< of Newton's steps, until they converge
+
+  static constexpr int steps_of_diffusion(bool is_coarsest) { return is_coarsest ? 30 : 8; }
+
+  /// A step on so many vertices is about to begin.
+  void report(std::size_t vertices)
+  {
+    m_progress.report("field", std::min(m_done / m_work, 1.0));
+    m_done += double(vertices);
+  }
 
   Frames_and_crosses start(const Field_graph& graph)
   {
@@ -135,12 +147,12 @@ private:
     const std::size_t n = graph.number_of_vertices();
     // At first far enough for everything to feel all of the boundary; on finer levels for arcs to move by some spacings
     // of the coarser one.
-    const int steps = is_coarsest ? 30 : 8;
+    const int steps = steps_of_diffusion(is_coarsest);
     const double longest_time = is_coarsest ? 3 * std::pow(double(n), 2.0 / 3) : 300;
     Cross_diffusion diffusion(graph, m_threads);
     Cross_diffusion::Field before(n), after;
     for (int i = 0; i < steps; ++i) {
-      m_progress.report("field", 0.0);
+      report(n);
       parallel_for(n, m_threads, [&](std::size_t v) { before[v] = field.crosses[v].cast<float>(); });
       after = before;
       const double time = longest_time * std::pow(shortest_time / std::max(longest_time, shortest_time), double(i) / (steps - 1));
@@ -181,7 +193,7 @@ private:
     Cross_energy_newton newton(graph, m_threads);
     double damping = least_damping;
     for (int i = 0; i < max_steps; ++i) {
-      m_progress.report("field", 0.0);
+      report(graph.number_of_vertices());
       const double tolerance = damping > 0 ? 0.1 : 0.01;
       const Cross_energy_newton::Step step = newton.step(field.frames, field.crosses, damping, 60, tolerance);
       ++m_counters.newton_steps;
@@ -219,6 +231,7 @@ private:
   int m_threads;
   const Progress_observer& m_progress;
   Counters m_counters;
+  double m_work = 0, m_done = 0; ///< steps times vertices
 };
 
 } // namespace internal
