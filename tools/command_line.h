@@ -51,11 +51,11 @@ struct Check_arguments {
 /// What the user asked `quadrille cross` for.
 struct Cross_arguments {
   std::string input;
-  std::vector<std::string> outputs;    ///< the field in one or more formats
-  std::string graph, picture, json;    ///< further files to write; empty: none
-  std::string metric;                  ///< file with a metric; empty: the Euclidean one
-  std::optional<double> crease_angle;  ///< in degrees
-  double tetrahedron_size = 0;         ///< of fillings; 0: chosen
+  std::vector<std::string> outputs;   ///< the field in one or more formats
+  std::string graph, picture, json;   ///< further files to write; empty: none
+  std::string metric;                 ///< file with a metric; empty: the Euclidean one
+  std::optional<double> crease_angle; ///< in degrees
+  double tetrahedron_size = 0;        ///< of fillings; 0: chosen
   std::uint64_t seed = 0;
   int threads = 0; ///< 0: all cores
   bool quiet = false;

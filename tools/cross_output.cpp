@@ -170,8 +170,8 @@ void add_cross_stages(const Cross_run_result& result, nlohmann::ordered_json& su
   Json obstacles = Json::array();
   for (const Singular_graph::Obstacle& obstacle : graph.obstacles) {
     const bool is_arc = obstacle.arc >= 0;
-    const Eigen::Vector3d place = is_arc ? graph.arcs[std::size_t(obstacle.arc)].points.front()
-                                         : graph.nodes[std::size_t(obstacle.node)].point;
+    const Eigen::Vector3d place =
+        is_arc ? graph.arcs[std::size_t(obstacle.arc)].points.front() : graph.nodes[std::size_t(obstacle.node)].point;
     obstacles.push_back({{is_arc ? "arc" : "node", is_arc ? obstacle.arc : obstacle.node},
                          {"reason", obstacle.reason},
                          {"place", {place[0], place[1], place[2]}}});

@@ -91,8 +91,7 @@ public:
 
   std::string draw()
   {
-    const std::string size =
-        "width=\"" + number(m_view.width()) + "\" height=\"" + number(m_view.height()) + "\"";
+    const std::string size = "width=\"" + number(m_view.width()) + "\" height=\"" + number(m_view.height()) + "\"";
     m_text = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + ">\n<rect " + size + " fill=\"#fff\"/>\n";
     const std::vector<Triangle> boundary = boundary_of(m_mesh);
     std::vector<Eigen::Vector3d> normals;

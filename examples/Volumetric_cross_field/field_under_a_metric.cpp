@@ -43,7 +43,8 @@ int main()
     const Eigen::Vector3d p = mesh.point(v), radius = Eigen::Vector3d(p.x(), p.y(), 0).normalized();
     worst = std::min(worst, (frame.transpose() * radius).cwiseAbs().maxCoeff());
   }
-  std::cout << "energy " << field.energy << ", " << graph.arcs.size() << " singular arcs; the axes follow the bend up to "
+  std::cout << "energy " << field.energy << ", " << graph.arcs.size()
+            << " singular arcs; the axes follow the bend up to "
             << std::acos(std::min(worst, 1.0)) * 180 / std::acos(-1.0) << " degrees\n";
   return graph.arcs.empty() && worst > 0.99 ? 0 : 1;
 }

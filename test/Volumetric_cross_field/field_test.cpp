@@ -28,7 +28,10 @@ Cross_field_options converged(int threads = 0)
   return options;
 }
 
-Tetrahedral_mesh prism(int corners) { return prism_of_tetrahedra(polygon_of_triangles(regular_polygon(corners), 6), 6, 1.5); }
+Tetrahedral_mesh prism(int corners)
+{
+  return prism_of_tetrahedra(polygon_of_triangles(regular_polygon(corners), 6), 6, 1.5);
+}
 
 Vertex_alignments aligned(const Tetrahedral_mesh& mesh) { return align_with_boundary(mesh, {}, mesh.feature_edges); }
 
@@ -45,7 +48,8 @@ double energy_by_elements(const Tetrahedral_mesh& mesh, const std::vector<Eigen:
     const auto gradients = internal::gradients_of_corners(internal::points_of(mesh, t));
     Eigen::Matrix<double, 9, 3> gradient = Eigen::Matrix<double, 9, 3>::Zero();
     for (std::size_t i = 0; i < 4; ++i)
-      gradient += cross_harmonics(frames[std::size_t(mesh.tetrahedra[t][i])]) * gradients.col(Eigen::Index(i)).transpose();
+      gradient +=
+          cross_harmonics(frames[std::size_t(mesh.tetrahedra[t][i])]) * gradients.col(Eigen::Index(i)).transpose();
     energy += 0.5 * volume(mesh, mesh.tetrahedra[t]) * gradient.squaredNorm();
   }
   return energy;
@@ -127,7 +131,8 @@ TEST(Volumetric_field, turns_scales_and_relabels_with_the_mesh)
   for (Eigen::Matrix3d& frame : turned)
     frame = R * frame;
   for (const double scale : {1.0, 1e8, 1e-8}) {
-    const Tetrahedral_mesh moved = mapped(mesh, [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(scale * (R * p)); });
+    const Tetrahedral_mesh moved =
+        mapped(mesh, [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(scale * (R * p)); });
     const Volumetric_cross_field of_moved = volumetric_cross_field(moved, aligned(moved), converged());
     EXPECT_NEAR(of_moved.energy, scale * field.energy, 1e-6 * scale * field.energy);
     EXPECT_LT(largest_distance(of_moved.frames, turned), 1e-2) << scale;
@@ -160,7 +165,8 @@ TEST(Volumetric_field, is_the_same_for_every_number_of_threads)
 TEST(Volumetric_field, components_do_not_feel_each_other)
 {
   const Tetrahedral_mesh first = prism(3), second = prism(5);
-  const Tetrahedral_mesh far = mapped(second, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x() + 10, p.y(), p.z()); });
+  const Tetrahedral_mesh far =
+      mapped(second, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.x() + 10, p.y(), p.z()); });
   const Tetrahedral_mesh mesh = both(first, far);
   const double together = volumetric_cross_field(mesh, aligned(mesh), converged()).energy;
   const double apart = volumetric_cross_field(first, aligned(first), converged()).energy +
@@ -171,7 +177,8 @@ TEST(Volumetric_field, components_do_not_feel_each_other)
 TEST(Volumetric_field, reports_progress_and_can_be_cancelled)
 {
   const Tetrahedral_mesh mesh = ball_of_tetrahedra(6);
-  EXPECT_THROW(volumetric_cross_field(mesh, aligned(mesh), {}, Progress_observer([](const std::string&, double) { return false; })),
+  EXPECT_THROW(volumetric_cross_field(mesh, aligned(mesh), {},
+                                      Progress_observer([](const std::string&, double) { return false; })),
                Cancelled_error);
 }
 

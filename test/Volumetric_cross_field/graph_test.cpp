@@ -175,7 +175,9 @@ TEST(Singular_graph, no_tetrahedron_has_exactly_one_singular_face)
   std::normal_distribution<double> normal;
   std::vector<Eigen::Matrix3d> frames(mesh.number_of_vertices());
   for (Eigen::Matrix3d& frame : frames)
-    frame = Eigen::Quaterniond(normal(engine), normal(engine), normal(engine), normal(engine)).normalized().toRotationMatrix();
+    frame = Eigen::Quaterniond(normal(engine), normal(engine), normal(engine), normal(engine))
+                .normalized()
+                .toRotationMatrix();
   std::array<std::size_t, 5> counts{};
   for (const unsigned char faces :
        internal::singular_faces(mesh, internal::Edge_matcher(frames, Metric_connection()), 1))

@@ -30,8 +30,8 @@ struct Averaged_crosses {
 };
 
 /// The reference: every vertex's tensor becomes the plain mean of its neighbours' and is projected back onto the
-/// crosses, all vertices at a time, from the coordinate axes everywhere (volume, Section 4). Alignments, which the paper
-/// leaves open, are kept by projecting onto the crosses that have them.
+/// crosses, all vertices at a time, from the coordinate axes everywhere (volume, Section 4). Alignments, which the
+/// paper leaves open, are kept by projecting onto the crosses that have them.
 ///
 /// For comparisons: `volumetric_cross_field()` is faster and finds lower energies. The number of sweeps grows with the
 /// number of tetrahedra across the volume squared. \pre as there.

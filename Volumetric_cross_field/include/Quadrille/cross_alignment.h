@@ -40,8 +40,7 @@ struct Cross_alignment {
     if (is_fixed)
       return crosses.frame;
     const Eigen::Vector2d s = crosses.basis.transpose() * q;
-    return crosses.frame *
-           Eigen::AngleAxisd(std::atan2(s[0], s[1]) / 4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    return crosses.frame * Eigen::AngleAxisd(std::atan2(s[0], s[1]) / 4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   }
 };
 

@@ -46,7 +46,8 @@ Tetrahedron_crosses crosses_of_tetrahedra(const TetrahedralMesh& mesh, const std
     }
     // Away from singularities the first corner's cross is close to the mean.
     constexpr double close = 0.8;
-    result.frames[t] = (mean.dot(cross_harmonics(first)) > close ? nearest_cross(mean, first) : nearest_cross(mean)).frame;
+    result.frames[t] =
+        (mean.dot(cross_harmonics(first)) > close ? nearest_cross(mean, first) : nearest_cross(mean)).frame;
     const double length_of_tensor = std::sqrt(1.2); // Frobenius norm of the harmonic part of a cross's tensor
     result.eta[t] = length_of_tensor * (mean - cross_harmonics(result.frames[t])).norm();
   });
