@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -41,7 +40,7 @@ public:
     std::size_t next = 0;
     for (int k = 0; k < number; ++k) {
       m_quaternions[std::size_t(k)] = quaternions[next];
-      m_harmonics.col(k) = candidates[next];
+      m_harmonics.row(k) = candidates[next].cast<float>();
       const Cross_harmonics chosen = candidates[next];
       for (std::size_t i = 0; i < n_candidates; ++i) {
         nearest[i] = std::max(nearest[i], chosen.dot(candidates[i]));
@@ -54,22 +53,26 @@ public:
 
   const Eigen::Vector4d& quaternion(int k) const { return m_quaternions[std::size_t(k)]; }
 
-  using Products = Eigen::Matrix<double, number, 1>;
+  using Products = Eigen::Matrix<float, number, 1>;
 
-  /// By seed, how near it is to `q`.
-  Products products(const Cross_harmonics& q) const { return m_harmonics.transpose() * q; }
+  /// By seed, its product with `q` / `norm`: good enough to choose by in single precision, and all seeds side by side in
+  /// the vector registers.
+  Products products(const Cross_harmonics& q, double norm = 1) const
+  {
+    const Eigen::Matrix<float, 9, 1> p = (q / norm).cast<float>();
+    Products result = p[0] * m_harmonics.col(0);
+    for (int i = 1; i < 9; ++i)
+      result += p[i] * m_harmonics.col(i);
+    return result;
+  }
 
   /// The nearest seed, and the nearest one of those that are not close to that.
   std::array<int, 2> best(const Products& products) const
   {
     std::array<int, 2> found = {0, -1};
-    for (int k = 1; k < number; ++k)
-      if (products[k] > products[found[0]])
-        found[0] = k;
-    const std::uint64_t close = m_close[std::size_t(found[0])];
-    for (int k = 0; k < number; ++k)
-      if ((close >> k & 1) == 0 && (found[1] < 0 || products[k] > products[found[1]]))
-        found[1] = k;
+    products.maxCoeff(&found[0]);
+    const Products others = products - m_penalty.col(found[0]);
+    others.maxCoeff(&found[1]);
     return found;
   }
 
@@ -77,11 +80,11 @@ public:
   std::vector<int> rivals(const Products& products, double least, const Cross_harmonics& known) const
   {
     std::vector<int> found;
-    if (!(products.maxCoeff() >= least))
+    if (!(double(products.maxCoeff()) >= least))
       return found;
     const Products with_known = this->products(known);
     for (int k = 0; k < number; ++k)
-      if (products[k] >= least && with_known[k] < same_product)
+      if (double(products[k]) >= least && double(with_known[k]) < same_product)
         found.push_back(k);
     std::sort(found.begin(), found.end(), [&](int i, int j) { return products[i] > products[j]; });
     if (found.size() > 4)
@@ -116,13 +119,14 @@ private:
   {
     for (int i = 0; i < number; ++i)
       for (int k = 0; k < number; ++k)
-        if (m_harmonics.col(i).dot(m_harmonics.col(k)) > close_product)
-          m_close[std::size_t(i)] |= std::uint64_t(1) << k;
+        m_penalty(k, i) = double(m_harmonics.row(i).dot(m_harmonics.row(k))) > close_product
+                              ? std::numeric_limits<float>::infinity()
+                              : 0.0f;
   }
 
-  std::array<std::uint64_t, number> m_close = {}; ///< by seed, the bits of those close to it
+  Eigen::Matrix<float, number, number> m_penalty; ///< by seed, infinity for those close to it
   std::array<Eigen::Vector4d, number> m_quaternions;
-  Eigen::Matrix<double, 9, number> m_harmonics;
+  Eigen::Matrix<float, number, 9> m_harmonics;
 };
 
 } // namespace internal

@@ -56,12 +56,13 @@ inline Nearest_cross best_lane(const Cross_newton<Pack>& newton, const Cross_har
 }
 
 /// Searches from other seeds that are nearly as near as what was found, where they may lead higher.
-inline void try_rivals(const Cross_harmonics& q, const Cross_seeds::Products& products, Nearest_cross& found)
+inline void try_rivals(const Cross_harmonics& q, double norm, const Cross_seeds::Products& products,
+                       Nearest_cross& found)
 {
   constexpr double possible_rise = 0.15; // from a seed to the maximum next to it, relative to |q|
   const Cross_seeds& seeds = cross_seeds();
   const std::vector<int> rivals =
-      seeds.rivals(products, found.alignment - possible_rise * q.norm(), cross_harmonics(found.frame));
+      seeds.rivals(products, found.alignment / norm - possible_rise, cross_harmonics(found.frame));
   if (rivals.empty())
     return;
   Cross_newton<Pack> newton(
@@ -79,7 +80,9 @@ inline void nearest_crosses(const Cross_harmonics& p, const Cross_harmonics& q, 
                             Nearest_cross& of_q)
 {
   const Cross_seeds& seeds = cross_seeds();
-  const Cross_seeds::Products products_of_p = seeds.products(p), products_of_q = seeds.products(q);
+  const auto norm = [](const Cross_harmonics& x) { return x.norm() > 0 ? x.norm() : 1; };
+  const double norm_of_p = norm(p), norm_of_q = norm(q);
+  const Cross_seeds::Products products_of_p = seeds.products(p, norm_of_p), products_of_q = seeds.products(q, norm_of_q);
   const std::array<int, 2> best_of_p = seeds.best(products_of_p), best_of_q = seeds.best(products_of_q);
   Cross_newton<Pack> newton([&](int lane) -> const Cross_harmonics& { return lane < 2 ? p : q; },
                             [&](int lane) -> const Eigen::Vector4d& {
@@ -89,8 +92,8 @@ inline void nearest_crosses(const Cross_harmonics& p, const Cross_harmonics& q, 
   const int iterations = newton.run(steps_of_pack, 2);
   of_p = best_lane(newton, p, 0, 1, iterations);
   of_q = best_lane(newton, q, 2, 3, iterations);
-  try_rivals(p, products_of_p, of_p);
-  try_rivals(q, products_of_q, of_q);
+  try_rivals(p, norm_of_p, products_of_p, of_p);
+  try_rivals(q, norm_of_q, products_of_q, of_q);
 }
 
 } // namespace internal
