@@ -176,6 +176,27 @@ TEST(Metric_cross_field, fields_of_a_mesh_and_of_its_linear_image_are_the_same)
   EXPECT_EQ(graph.arcs.size(), 1u);
 }
 
+TEST(Metric_cross_field, fields_do_not_depend_on_numbers_and_threads)
+{
+  const Tetrahedral_mesh mesh =
+      jittered(prism_of_tetrahedra(polygon_of_triangles(regular_polygon(5), 4), 4, 1), 0.02, 1);
+  std::vector<int> new_number;
+  const Tetrahedral_mesh other = relabelled(mesh, 1, new_number);
+  const auto field_on = [](const Tetrahedral_mesh& m, int threads) {
+    const Metric_field metric = Metric_field::pulled_back(m, twisting_jacobian);
+    const Metric_connection connection(m, metric, 1e-4, threads);
+    Cross_field_options options;
+    options.threads = threads;
+    return volumetric_cross_field(m, align_with_boundary(m, {}, {}, &metric), metric, connection, options);
+  };
+  const Volumetric_cross_field field = field_on(mesh, 1), of_other = field_on(other, 1);
+  EXPECT_EQ(field.frames, field_on(mesh, 3).frames);
+  EXPECT_NEAR(field.energy, of_other.energy, 1e-4 * field.energy);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    EXPECT_LT((cross_harmonics(field.frames[v]) - cross_harmonics(of_other.frames[std::size_t(new_number[v])])).norm(),
+              1e-2);
+}
+
 TEST(Metric_cross_field, sizes_leave_angles_and_so_alignments)
 {
   const Tetrahedral_mesh mesh = prism_of_tetrahedra(disk_of_triangles(3), 3, 1);

@@ -325,7 +325,7 @@ TEST_F(Metric_test, turns_do_not_depend_on_scale_and_threads)
     const Metric_connection of_scaled(scaled, Metric_field::pulled_back(scaled, jacobian), 1e-4, 1);
     const Metric_connection with_threads(mesh, Metric_field::pulled_back(mesh, twisting_jacobian), 1e-4, 3);
     for (const auto& t : mesh.tetrahedra)
-      for (const std::size_t i : {1, 2, 3}) {
+      for (std::size_t i = 1; i < 4; ++i) {
         EXPECT_LT((connection(t[0], t[i]) - of_scaled(t[0], t[i])).norm(), 1e-12);
         EXPECT_EQ(connection(t[0], t[i]), with_threads(t[0], t[i]));
       }
