@@ -41,8 +41,8 @@ public:
 
   /// Carries frames from corner `a` to corner `b` along the edge: R(b) = transport R(a) for parallel frames.
   ///
-  /// By the trapezoidal rule, on halves of halves of the edge until the two halves of a piece give the same as the piece
-  /// but for `tolerance` (Frobenius norm) times its share of the edge: the error of the whole is then about
+  /// By the trapezoidal rule, on halves of halves of the edge until the two halves of a piece give the same as the
+  /// piece but for `tolerance` (Frobenius norm) times its share of the edge: the error of the whole is then about
   /// `tolerance`. Section 1.2 of metric, with lengths in units of the edge. `samples`, if given, counts evaluations.
   Eigen::Matrix3d transport(std::size_t a, std::size_t b, double tolerance, int* samples = nullptr) const;
 

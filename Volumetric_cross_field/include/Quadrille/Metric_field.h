@@ -19,7 +19,8 @@ namespace Quadrille {
 
 /// A Riemannian metric g on a tetrahedral mesh by A = sqrt(g) at the vertices, linear within each tetrahedron. The rows
 /// of A are orthonormal covectors, so A v are the coordinates of a vector v in an orthonormal frame that turns with the
-/// metric: frames R of a cross field under the metric are rotations in these, their axes in space the columns of A^-1 R.
+/// metric: frames R of a cross field under the metric are rotations in these, their axes in space the columns of A^-1
+/// R.
 class Metric_field {
 public:
   Metric_field() = default;

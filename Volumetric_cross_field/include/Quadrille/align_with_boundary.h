@@ -31,9 +31,9 @@ struct Vertex_alignments {
   std::size_t crease_vertices = 0, corner_vertices = 0; ///< counts
 };
 
-/// Aligns the crosses of the boundary's vertices: with the normal on smooth parts; on creases with the tangent, and with
-/// both normals as well as one cross can (the cross in the plane normal to the tangent whose fourfold angle is the mean
-/// of theirs; where the two contradict each other, about 45 degrees apart, that angle stays free). Corners (where
+/// Aligns the crosses of the boundary's vertices: with the normal on smooth parts; on creases with the tangent, and
+/// with both normals as well as one cross can (the cross in the plane normal to the tangent whose fourfold angle is the
+/// mean of theirs; where the two contradict each other, about 45 degrees apart, that angle stays free). Corners (where
 /// creases meet, end in an angle, or bend by more than 45 degrees) and vertices with normals all around stay free.
 ///
 /// `marked_edges` are pairs of vertices, in any order; those inside the volume are ignored. Under a `metric` everything

@@ -21,8 +21,8 @@ struct Cross_field_options {
   std::uint64_t seed = 0;    ///< 0: from the harmonic extension of the alignments; else from random crosses
   int threads = 0;           ///< 0: all cores; the result does not depend on it
   int max_newton_steps = 50; ///< on the mesh itself
-  /// The field has settled when a step lowers the energy by less than this share and nodes of the singular graph neither
-  /// appear nor vanish; or, without regard to these, by less than a hundredth of it.
+  /// The field has settled when a step lowers the energy by less than this share and nodes of the singular graph
+  /// neither appear nor vanish; or, without regard to these, by less than a hundredth of it.
   double energy_tolerance = 1e-4;
 };
 

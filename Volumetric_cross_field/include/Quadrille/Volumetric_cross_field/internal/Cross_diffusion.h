@@ -18,8 +18,8 @@ namespace internal {
 /// Implicit diffusion of the crosses' harmonics: (M + t L) x = M p at all vertices, within the affine space of the
 /// alignments.
 ///
-/// Chebyshev's iteration, preconditioned by the diagonal, without a matrix and without inner products: one pass over the
-/// edges for each iteration, all nine components together, in single precision (the projection onto crosses that
+/// Chebyshev's iteration, preconditioned by the diagonal, without a matrix and without inner products: one pass over
+/// the edges for each iteration, all nine components together, in single precision (the projection onto crosses that
 /// follows forgives more). With the absolute degrees in the preconditioner all eigenvalues are at most 2.
 class Cross_diffusion {
 public:

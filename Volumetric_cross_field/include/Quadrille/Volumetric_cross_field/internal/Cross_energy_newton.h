@@ -128,9 +128,9 @@ private:
              m_crosses[v] = q[v].cast<float>();
              m_residual[v] = allowed(v, (-of_sum.transpose() * q[v]).cast<float>());
              const Eigen::Matrix3d product = of_sum.transpose() * of_q;
-             const Eigen::Matrix3d hessian = (1 - damping) * 0.5 * (product + product.transpose()) +
-                                             damping * curvature_of_crosses * m_graph.degree[v] *
-                                                 Eigen::Matrix3d::Identity();
+             const Eigen::Matrix3d hessian =
+                 (1 - damping) * 0.5 * (product + product.transpose()) +
+                 damping * curvature_of_crosses * m_graph.degree[v] * Eigen::Matrix3d::Identity();
              m_hessian[v] = hessian.cast<float>();
              return 0.5 * (m_graph.degree[v] - q[v].dot(sum));
            });
@@ -139,10 +139,7 @@ private:
   /// Crosses form a round manifold: turning one by an angle moves it by the square root of this times the angle.
   static constexpr double curvature_of_crosses = 20.0 / 3;
 
-  float preconditioner(std::size_t v) const
-  {
-    return float(1 / (curvature_of_crosses * m_graph.absolute_degree[v]));
-  }
+  float preconditioner(std::size_t v) const { return float(1 / (curvature_of_crosses * m_graph.absolute_degree[v])); }
 
   /// Newton's equations for `m_step` by conjugate gradients; returns their number.
   int solve(int max_iterations, double tolerance)

@@ -35,9 +35,9 @@ struct Frames_and_crosses {
 /// Minimises the energy from coarse to fine: on the coarsest graph from the harmonic extension of the alignments (or at
 /// random), then on each finer one from the field of the coarser.
 ///
-/// On each level diffusion alternates with projection onto the crosses. Its time, in squared lengths of edges, falls from
-/// hundreds, by which arcs of singularities straighten quickly, to about one, below which they do not move any more.
-/// Newton's method then finds the minimum.
+/// On each level diffusion alternates with projection onto the crosses. Its time, in squared lengths of edges, falls
+/// from hundreds, by which arcs of singularities straighten quickly, to about one, below which they do not move any
+/// more. Newton's method then finds the minimum.
 class Multilevel_field_solver {
 public:
   struct Counters {
@@ -89,7 +89,7 @@ public:
 
 private:
   static constexpr std::size_t large_enough = 5000;
- ///< vertices: below, a coarser level would save nothing
+  ///< vertices: below, a coarser level would save nothing
   static constexpr double shortest_time = 1.4;
   static constexpr double accuracy = 0.02; ///< of a step of diffusion, relative to what it changes
   static constexpr int newton_steps_when_coarse = 10, usual_newton_steps = 15;
@@ -118,8 +118,9 @@ private:
     if (m_seed == 0) {
       // Far beyond the extent of a coarsest graph: as good as the harmonic extension.
       constexpr double time = 1000;
-      m_counters.diffusion_passes += std::size_t(Cross_diffusion(graph, m_threads).solve(
-          time, Cross_diffusion::Field(n, Cross_diffusion::Harmonics::Zero()), x, accuracy));
+      m_counters.diffusion_passes +=
+          std::size_t(Cross_diffusion(graph, m_threads)
+                          .solve(time, Cross_diffusion::Field(n, Cross_diffusion::Harmonics::Zero()), x, accuracy));
     }
     project(graph, x, false, field);
     return field;
@@ -137,8 +138,8 @@ private:
       return double((z ^ (z >> 31)) >> 11) / 9007199254740992.0;
     };
     const double u = next(), a = 2 * std::acos(-1.0) * next(), b = 2 * std::acos(-1.0) * next();
-    return Eigen::Quaterniond(std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a), std::sqrt(u) * std::sin(b),
-                              std::sqrt(u) * std::cos(b))
+    return Eigen::Quaterniond(std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a),
+                              std::sqrt(u) * std::sin(b), std::sqrt(u) * std::cos(b))
         .toRotationMatrix();
   }
 
@@ -155,7 +156,8 @@ private:
       report(n);
       parallel_for(n, m_threads, [&](std::size_t v) { before[v] = field.crosses[v].cast<float>(); });
       after = before;
-      const double time = longest_time * std::pow(shortest_time / std::max(longest_time, shortest_time), double(i) / (steps - 1));
+      const double time =
+          longest_time * std::pow(shortest_time / std::max(longest_time, shortest_time), double(i) / (steps - 1));
       m_counters.diffusion_passes += std::size_t(diffusion.solve(time, before, after, accuracy));
       project(graph, after, !is_coarsest, field);
     }

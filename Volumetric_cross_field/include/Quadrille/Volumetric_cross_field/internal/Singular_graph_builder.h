@@ -160,8 +160,8 @@ private:
       if (second.from != int(node))
         reverse(second);
       const double weights[] = {double(first.tetrahedra.size()), double(second.tetrahedra.size())};
-      first.edge_length = (weights[0] * first.edge_length + weights[1] * second.edge_length) /
-                          std::max(weights[0] + weights[1], 1.0);
+      first.edge_length =
+          (weights[0] * first.edge_length + weights[1] * second.edge_length) / std::max(weights[0] + weights[1], 1.0);
       first.passages.insert(first.passages.end(), second.passages.begin(), second.passages.end());
       first.tetrahedra.insert(first.tetrahedra.end(), second.tetrahedra.begin(), second.tetrahedra.end());
       first.to = second.to;
@@ -319,8 +319,9 @@ private:
         m_graph.obstacles.push_back({-1, int(k), "no arrangement of hexahedra has a vertex with such arcs"});
   }
 
-  /// The hexahedra at an inner vertex are a triangulation of a sphere with a vertex for each edge: with numbers of edges
-  /// of valence 3, 4 and 5 for which 3 n3 + 2 n4 + n5 = 12 and that exist. Those with valence up to 5 are all known.
+  /// The hexahedra at an inner vertex are a triangulation of a sphere with a vertex for each edge: with numbers of
+  /// edges of valence 3, 4 and 5 for which 3 n3 + 2 n4 + n5 = 12 and that exist. Those with valence up to 5 are all
+  /// known.
   bool is_possible(const Singular_graph::Node& node) const
   {
     std::array<int, 2> numbers = {0, 0}; // of valence 3 and 5
@@ -330,7 +331,8 @@ private:
         return true; // reported with the arc, or beyond the list
       ++numbers[valence == Valence::three ? 0 : 1];
     }
-    static const std::set<std::array<int, 2>> possible = {{4, 0}, {2, 2}, {1, 3}, {2, 6}, {0, 4}, {0, 6}, {0, 8}, {0, 12}};
+    static const std::set<std::array<int, 2>> possible = {{4, 0}, {2, 2}, {1, 3}, {2, 6},
+                                                          {0, 4}, {0, 6}, {0, 8}, {0, 12}};
     return possible.count(numbers) != 0;
   }
 

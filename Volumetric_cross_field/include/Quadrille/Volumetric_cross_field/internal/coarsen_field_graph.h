@@ -201,8 +201,8 @@ private:
     bundle.weight += weight;
     bundle.absolute_weight += std::abs(weight);
     if (has_turns())
-      bundle.turn += std::abs(weight) * rotation_vector_of(m_coarse.to_fine[v].transpose() * m_fine.turn[e] *
-                                                           m_coarse.to_fine[u]);
+      bundle.turn +=
+          std::abs(weight) * rotation_vector_of(m_coarse.to_fine[v].transpose() * m_fine.turn[e] * m_coarse.to_fine[u]);
   }
 
   const Field_graph& m_fine;

@@ -13,7 +13,8 @@ namespace internal {
 inline Eigen::Matrix3d rotation_of(const Eigen::Vector3d& w)
 {
   const double angle = w.norm();
-  return angle > 0 ? Eigen::AngleAxisd(angle, w / angle).toRotationMatrix() : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  return angle > 0 ? Eigen::AngleAxisd(angle, w / angle).toRotationMatrix()
+                   : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
 inline Eigen::Vector3d rotation_vector_of(const Eigen::Matrix3d& R)

@@ -22,8 +22,8 @@
 namespace Quadrille {
 namespace internal {
 
-/// A mesh as a graph: linear finite elements (cotangent weights), under a metric those of its Laplacian. The vertices are
-/// numbered breadth first, so that neighbours are close to each other in memory.
+/// A mesh as a graph: linear finite elements (cotangent weights), under a metric those of its Laplacian. The vertices
+/// are numbered breadth first, so that neighbours are close to each other in memory.
 class Mesh_field_graph {
 public:
   template <class Mesh>
@@ -118,7 +118,8 @@ private:
           const Element& of_t = elements[std::size_t(*t)];
           mass += of_t.volume / 4;
           for (std::size_t e = 0; e < 6; ++e) {
-            const int a = corners[std::size_t(corners_of_edges[e][0])], b = corners[std::size_t(corners_of_edges[e][1])];
+            const int a = corners[std::size_t(corners_of_edges[e][0])],
+                      b = corners[std::size_t(corners_of_edges[e][1])];
             if (a == v || b == v)
               found.emplace_back(m_position[std::size_t(a == v ? b : a)], of_t.weights[e]);
           }

@@ -36,7 +36,7 @@ struct Singular_face_paths {
     Eigen::Matrix3d root;
   };
   struct Path {
-    Octahedral_rotation::Kind kind; ///< the same all along
+    Octahedral_rotation::Kind kind;           ///< the same all along
     int from = at_boundary, to = at_boundary; ///< nodes
     bool is_loop = false;
     std::vector<Passage> passages;

@@ -19,9 +19,9 @@ namespace Quadrille {
 namespace internal {
 
 template <class Mesh>
-Volumetric_cross_field smoothest_field(const Mesh& mesh, const Vertex_alignments& alignments, const Metric_field* metric,
-                                       const Metric_connection& connection, const Cross_field_options& options,
-                                       const Progress_observer& progress)
+Volumetric_cross_field smoothest_field(const Mesh& mesh, const Vertex_alignments& alignments,
+                                       const Metric_field* metric, const Metric_connection& connection,
+                                       const Cross_field_options& options, const Progress_observer& progress)
 {
   const auto start = std::chrono::steady_clock::now();
   const Mesh_field_graph numbered(mesh, alignments, metric, connection, options.threads);
