@@ -147,7 +147,7 @@ protected:
 
 TEST_F(Fill_surface, keeps_the_triangles)
 {
-  for (const double side : {1.0, 1e8, 1e-8}) {
+  for (const double side : {1.0, 1e8, 1e-8, 1e-70}) {
     const Labelled_mesh surface = cube(-side / 3, side);
     const Tetrahedral_mesh mesh = fill_with_tetrahedra(write("a.off", off_text(surface)));
     expect_positive(mesh);
@@ -162,7 +162,7 @@ TEST_F(Fill_surface, keeps_the_triangles)
 
 TEST_F(Fill_surface, to_a_given_size)
 {
-  for (const double side : {1.0, 1e8, 1e-8}) {
+  for (const double side : {1.0, 1e8, 1e-8, 1e-70}) {
     const Tetrahedral_mesh mesh = fill_with_tetrahedra(write("a.off", off_text(cube(0, side))), size(0.1 * side));
     expect_positive(mesh);
     EXPECT_NEAR(volume(mesh) / (side * side * side), 1, 1e-12);
@@ -280,6 +280,12 @@ TEST_F(Fill_surface, errors_name_the_place)
   expect_error(write("infinite.off", off_text(infinite)), "point 3 has a coordinate that is not a finite number");
   expect_error(write("nothing.off", "OFF\n1 0 0\n0 0 0\n"), "no triangles");
   expect_error(write("a.off", off_text(cube())), "would be about", size(1e-5));
+  Labelled_mesh turned = cube(); // the volume does not depend on orientations
+  std::swap(turned.polygons[2][0], turned.polygons[2][1]);
+  std::swap(turned.polygons[3][0], turned.polygons[3][1]);
+  Filling_options few = size(0.1);
+  few.max_tetrahedra = 5000;
+  expect_error(write("turned.off", off_text(turned)), "would be about", few);
   Filling_options hurry = size(0.008);
   hurry.time_limit_seconds = 0.05;
   expect_error(path("a.off"), "TetGen did not finish within", hurry);
@@ -332,6 +338,7 @@ TEST_F(Fill_geometry, sizes_of_a_script_are_overruled)
   EXPECT_NEAR(volume(mesh), 1, 1e-9);
   EXPECT_NEAR(length_of_features(mesh), 12, 1e-9);
   EXPECT_NEAR(mean_edge_length(mesh) / 0.2, 1, 0.2);
+  EXPECT_NEAR(mean_edge_length(fill_with_tetrahedra(path("box.geo"))) / (std::sqrt(3.0) / 20), 1, 0.2);
   const std::string layers = "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Line(1) = {1, 2};\n"
                              "Extrude{0, 1, 0} { Curve{1}; Layers{5}; Recombine; }\n"
                              "Extrude{0, 0, 1} { Surface{5}; Layers{5}; Recombine; }\n";
@@ -360,6 +367,26 @@ TEST_F(Fill_geometry, errors)
   // A script may end with a fillet, which needs no semicolon.
   const std::string fillet = "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 1, 1, 1};\nFillet{1}{1}{0.2}\n";
   EXPECT_LT(volume(fill_with_tetrahedra(write("fillet.geo", fillet))), 0.999);
+}
+
+/// Files of which most are broken: filled, or refused with a message that names them.
+TEST(Fill_shared_files, hostile_ones_give_errors_or_meshes)
+{
+  const std::filesystem::path folder = std::filesystem::path(QUADRILLE_SHARED_DATA) / "hostile";
+  if (!std::filesystem::exists(folder))
+    GTEST_SKIP() << folder << " is not there";
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  for (const std::string& file : files) {
+    try {
+      expect_positive(load_tetrahedral_mesh(file));
+    } catch (const Invalid_input_error& error) {
+      EXPECT_NE(std::string(error.what()).find(file), std::string::npos) << error.what();
+    }
+  }
 }
 
 /// Real parts: each is filled, with the volume that does not depend on how.

@@ -33,8 +33,8 @@ struct Filling_options {
 ///   Polygons with more than three corners are triangulated, points with equal coordinates become one, and the order of
 ///   corners does not matter. Surfaces inside others bound cavities, and those inside cavities bound parts. If
 ///   `Filling_options::tetrahedron_size` is 0, the surface's triangles are faces of the result; otherwise they are
-///   divided, and triangles in one plane are replaced by others. The surface's points come first, in their order. Line
-///   elements of the file become feature edges.
+///   divided, and triangles in one plane are replaced by others (or kept, if TetGen fails at that). The surface's
+///   points come first, in their order. Line elements of the file become feature edges.
 ///
 /// A `.geo` file is a program, which can also write files and start commands: use only those that you trust.
 ///

@@ -35,7 +35,7 @@ namespace internal {
 template <class Point> std::string place_in_words(const Point& p)
 {
   char text[100];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", double(p[0]), double(p[1]), double(p[2]));
+  std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g)", double(p[0]), double(p[1]), double(p[2]));
   return text;
 }
 

@@ -142,10 +142,16 @@ inline Tetgen_result tetrahedralize_by_tetgen(const Closed_surface& surface, con
 
 #endif
 
+/// Not a code of TetGen: its version 1.5 crashes where it means to report an error.
+constexpr int tetgen_crash = -1;
+
 /// What TetGen's codes mean.
 inline std::string tetgen_error_in_words(int code)
 {
   switch (code) {
+  case tetgen_crash:
+    return "TetGen failed and did not say why; very small or very thin triangles are a common reason, and so are parts "
+           "of the surface that nearly touch";
   case 1:
     return "TetGen ran out of memory";
   case 3:

@@ -29,27 +29,56 @@ inline void check_options(const Filling_options& options)
     throw Invalid_argument_error("the time limit must be positive");
 }
 
+#ifdef QUADRILLE_WITH_TETGEN
+
+inline Tetgen_sizes tetgen_sizes(const Closed_surface& surface, const Filling_options& options)
+{
+  const CGAL::Bbox_3 box = surface.bbox();
+  const double diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  Tetgen_sizes sizes;
+  if (options.tetrahedron_size > 0) {
+    // TetGen bounds the volume, and makes the tetrahedra a good deal smaller than that.
+    sizes.largest = 1.2 * options.tetrahedron_size;
+    sizes.keeps_surface = false;
+  } else {
+    // Edges of an equilateral triangle with the mean area.
+    const double triangle_size = std::sqrt(surface.area() / double(surface.triangles().size()) * 4 / std::sqrt(3.0));
+    sizes.largest = std::max(triangle_size, default_tetrahedron_size(diagonal));
+  }
+  return sizes;
+}
+
+/// Calls TetGen, in a child process if it is to be isolated; a crash is an error of its own kind.
+inline Tetgen_result call_tetgen(const Closed_surface& surface, const Tetgen_sizes& sizes, const std::string& path,
+                                 const Filling_options& options)
+{
+  const auto fill = [&] { return tetrahedralize_by_tetgen(surface, sizes); };
+  if (!options.isolate)
+    return fill();
+  try {
+    return run_in_child_process<Tetgen_result>(fill, options.time_limit_seconds, path, "TetGen");
+  } catch (const Abnormal_end_error&) {
+    Tetgen_result result;
+    result.error = tetgen_crash;
+    return result;
+  }
+}
+
+#endif
+
 /// \throws Invalid_input_error
 inline Tetrahedral_mesh fill_surface(const Labelled_mesh& mesh, const std::string& path, const Filling_options& options)
 {
 #ifdef QUADRILLE_WITH_TETGEN
   const Closed_surface surface(mesh, path);
-  const CGAL::Bbox_3 box = surface.bbox();
-  const double diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
-  Tetgen_sizes sizes;
-  sizes.keeps_surface = !(options.tetrahedron_size > 0);
-  if (sizes.keeps_surface) {
-    // Of an equilateral triangle with the mean area.
-    const double triangle_size = std::sqrt(surface.area() / double(surface.triangles().size()) * 4 / std::sqrt(3.0));
-    sizes.largest = std::max(triangle_size, default_tetrahedron_size(diagonal));
-  } else {
-    // TetGen bounds the volume, and makes the tetrahedra a good deal smaller than that.
-    sizes.largest = 1.2 * options.tetrahedron_size;
-    check_number_of_tetrahedra(surface.volume(), options.tetrahedron_size, options, path);
+  Tetgen_sizes sizes = tetgen_sizes(surface, options);
+  check_number_of_tetrahedra(surface.volume(), options.tetrahedron_size > 0 ? options.tetrahedron_size : sizes.largest,
+                             options, path);
+  Tetgen_result result = call_tetgen(surface, sizes, path, options);
+  if (result.error != 0 && !sizes.keeps_surface) {
+    sizes.keeps_surface = true; // which is easier between very small triangles
+    result = call_tetgen(surface, sizes, path, options);
   }
-  const auto fill = [&] { return tetrahedralize_by_tetgen(surface, sizes); };
-  Tetgen_result result =
-      options.isolate ? run_in_child_process<Tetgen_result>(fill, options.time_limit_seconds, path, "TetGen") : fill();
   if (result.error != 0)
     throw Invalid_input_error(path + ": " + tetgen_error_in_words(result.error));
   if (result.mesh.tetrahedra.empty())
@@ -64,13 +93,6 @@ inline Tetrahedral_mesh fill_surface(const Labelled_mesh& mesh, const std::strin
                                    "this program was built (Debian's package libtet1.5-dev); geometry files and "
                                    "tetrahedral meshes are read without it");
 #endif
-}
-
-/// \throws Invalid_input_error
-inline Tetrahedral_mesh mesh_geometry(const std::string& path, const Filling_options& options)
-{
-  const auto mesh = [&] { return Geometry_mesher(path, options).run(); };
-  return options.isolate ? run_in_child_process<Tetrahedral_mesh>(mesh, options.time_limit_seconds, path) : mesh();
 }
 
 /// Whether a file of this name can hold both tetrahedra and surfaces.

@@ -8,9 +8,11 @@
 #include <Quadrille/Mesh_io/internal/Volume_content.h>
 #include <Quadrille/Mesh_io/internal/open_geometry.h>
 #include <Quadrille/Mesh_io/internal/read_msh_volume.h>
+#include <Quadrille/Mesh_io/internal/run_in_child_process.h>
 #include <Quadrille/Mesh_io/internal/tetrahedron_counts.h>
 #include <Quadrille/fill_with_tetrahedra.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -23,20 +25,36 @@
 namespace Quadrille {
 namespace internal {
 
+/// Algorithms of Gmsh, by its numbers.
+struct Gmsh_algorithms {
+  int of_surfaces = 0, of_volumes = 0;
+};
+
+/// A mesh, or why there is none.
+struct Geometry_mesh {
+  Tetrahedral_mesh mesh;
+  std::string failure;
+};
+
+template <class Archive> void exchange(Archive& archive, Geometry_mesh& m) { archive(m.mesh, m.failure); }
+
 /// The volumes of a geometry file in tetrahedra, by Gmsh.
 class Geometry_mesher {
 public:
-  Geometry_mesher(const std::string& path, const Filling_options& options) : m_path(path), m_options(options) {}
-
-  /// \throws Invalid_input_error
-  Tetrahedral_mesh run()
+  Geometry_mesher(const std::string& path, const Filling_options& options, const Gmsh_algorithms& algorithms)
+      : m_path(path), m_options(options), m_algorithms(algorithms)
   {
-    if (std::optional<Tetrahedral_mesh> mesh = run(false))
-      return std::move(*mesh);
+  }
+
+  /// \throws Invalid_input_error if no algorithms can help
+  Geometry_mesh run()
+  {
+    if (std::optional<Geometry_mesh> result = run(false))
+      return std::move(*result);
     // Surfaces that enclose something, as IGES files often have them.
     if (extension_of(m_path) != ".geo")
-      if (std::optional<Tetrahedral_mesh> mesh = run(true))
-        return std::move(*mesh);
+      if (std::optional<Geometry_mesh> result = run(true))
+        return std::move(*result);
     fail("the geometry has no volumes, and its surfaces enclose none; tetrahedra need something to fill");
   }
 
@@ -44,25 +62,26 @@ private:
   [[noreturn]] void fail(const std::string& reason) const { throw Invalid_input_error(m_path + ": " + reason); }
 
   /// Nothing if the geometry has no volumes.
-  std::optional<Tetrahedral_mesh> run(bool sew_surfaces)
+  std::optional<Geometry_mesh> run(bool sew_surfaces)
   {
     const Gmsh_session session;
     gmsh::option::setNumber("Geometry.OCCSewFaces", sew_surfaces ? 1 : 0);
     gmsh::option::setNumber("Geometry.OCCMakeSolids", sew_surfaces ? 1 : 0);
     open_geometry(m_path, session);
-    Tetrahedral_mesh mesh;
+    Geometry_mesh result;
     Gmsh_session::call(m_path, [&] {
       find_volumes();
       if (m_volumes.empty())
         return;
       set_sizes();
       const std::vector<int> curves = feature_curves();
-      mesh_volumes(session);
-      mesh = Gmsh_volume(m_path).get(m_volumes, curves);
+      result.failure = mesh_volumes(session);
+      if (result.failure.empty())
+        result.mesh = Gmsh_volume(m_path).get(m_volumes, curves);
     });
     if (m_volumes.empty())
       return std::nullopt;
-    return mesh;
+    return result;
   }
 
   /// As in Gmsh, when there are physical volumes, only they belong to the model.
@@ -98,7 +117,7 @@ private:
     check_number_of_tetrahedra(volume_inside(), size, m_options, m_path);
     gmsh::model::mesh::field::setAsBackgroundMesh(-1);
     gmsh::model::mesh::removeConstraints();
-    const double gmsh_size = size / 1.2; // edges inside become about 1.3 times as long as Gmsh is asked for
+    const double gmsh_size = size / 1.3; // edges inside become about 1.4 times as long as HXT is asked for
     gmsh::option::setNumber("Mesh.MeshSizeMax", gmsh_size);
     gmsh::option::setNumber("Mesh.MeshSizeMin", is_given ? gmsh_size : gmsh_size / 8);
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", is_given ? 0 : 12);
@@ -163,35 +182,22 @@ private:
     return {features.begin(), features.end()};
   }
 
-  /// No algorithm succeeds on every geometry.
-  void mesh_volumes(const Gmsh_session& session) const
+  /// Why there are no tetrahedra afterwards; empty if there are.
+  std::string mesh_volumes(const Gmsh_session& session) const
   {
-    constexpr int frontal_delaunay_2 = 6, delaunay_2 = 5, mesh_adapt_2 = 1;
-    constexpr int delaunay_3 = 1, hxt_3 = 10, frontal_3 = 4;
-    std::string reasons;
-    for (const auto& [algorithm_2, algorithm_3] :
-         {std::pair(frontal_delaunay_2, delaunay_3), std::pair(frontal_delaunay_2, hxt_3),
-          std::pair(mesh_adapt_2, delaunay_3), std::pair(delaunay_2, hxt_3),
-          std::pair(frontal_delaunay_2, frontal_3)}) {
-      gmsh::model::mesh::clear();
-      gmsh::logger::stop();
-      gmsh::logger::start();
-      gmsh::option::setNumber("Mesh.Algorithm", algorithm_2);
-      gmsh::option::setNumber("Mesh.Algorithm3D", algorithm_3);
-      std::string reason;
-      try {
-        Gmsh_session::call(m_path, [] { gmsh::model::mesh::generate(3); });
-        reason = session.first_error();
-      } catch (const Invalid_input_error& error) {
-        reason = error.what();
-      }
-      if (reason.empty() && are_filled())
-        return;
-      if (reasons.empty())
-        reasons = reason.empty() ? "a volume stayed empty" : reason;
+    gmsh::option::setNumber("Mesh.Algorithm", m_algorithms.of_surfaces);
+    gmsh::option::setNumber("Mesh.Algorithm3D", m_algorithms.of_volumes);
+    gmsh::logger::stop(); // asking for the volume may have logged an error
+    gmsh::logger::start();
+    try {
+      Gmsh_session::call("Gmsh", [] { gmsh::model::mesh::generate(3); });
+    } catch (const Invalid_input_error& error) {
+      return error.what();
     }
-    fail("Gmsh does not fill the volumes with tetrahedra: " + reasons +
-         ". Smaller tetrahedra often help where parts are thin or curved");
+    const std::string error = session.first_error();
+    if (!error.empty())
+      return error;
+    return are_filled() ? std::string() : "a volume stayed empty";
   }
 
   bool are_filled() const
@@ -211,8 +217,43 @@ private:
 
   const std::string& m_path;
   const Filling_options& m_options;
+  Gmsh_algorithms m_algorithms;
   std::vector<int> m_volumes; ///< tags
 };
+
+/// A geometry file in tetrahedra. \throws Invalid_input_error
+///
+/// No algorithm succeeds on every geometry, and some crash. HXT, the first, takes a tenth of the time of Gmsh's
+/// Delaunay algorithm, and its worst tetrahedra are better.
+inline Tetrahedral_mesh mesh_geometry(const std::string& path, const Filling_options& options)
+{
+  constexpr int frontal_delaunay_2 = 6, delaunay_2 = 5, mesh_adapt_2 = 1;
+  constexpr int hxt_3 = 10, delaunay_3 = 1, frontal_3 = 4;
+  const auto start = std::chrono::steady_clock::now();
+  std::string first_failure;
+  for (const Gmsh_algorithms& algorithms :
+       {Gmsh_algorithms{frontal_delaunay_2, hxt_3}, Gmsh_algorithms{frontal_delaunay_2, delaunay_3},
+        Gmsh_algorithms{delaunay_2, hxt_3}, Gmsh_algorithms{delaunay_2, delaunay_3},
+        Gmsh_algorithms{mesh_adapt_2, hxt_3}, Gmsh_algorithms{mesh_adapt_2, delaunay_3},
+        Gmsh_algorithms{frontal_delaunay_2, frontal_3}}) {
+    Geometry_mesh result;
+    try {
+      const auto mesh = [&] { return Geometry_mesher(path, options, algorithms).run(); };
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+      result = options.isolate ? run_in_child_process<Geometry_mesh>(mesh, options.time_limit_seconds - passed.count(),
+                                                                     path, "Gmsh")
+                               : mesh();
+    } catch (const Abnormal_end_error& error) {
+      result.failure = error.what();
+    }
+    if (result.failure.empty())
+      return std::move(result.mesh);
+    if (first_failure.empty())
+      first_failure = result.failure;
+  }
+  throw Invalid_input_error(path + ": Gmsh does not fill the volumes with tetrahedra (" + first_failure +
+                            "); smaller tetrahedra often help where parts are thin or curved");
+}
 
 } // namespace internal
 } // namespace Quadrille

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,12 @@
 
 namespace Quadrille {
 namespace internal {
+
+/// The child ended without a result: it crashed, or called exit().
+class Abnormal_end_error : public Invalid_input_error {
+public:
+  using Invalid_input_error::Invalid_input_error;
+};
 
 #ifdef QUADRILLE_HAS_CHILD_PROCESSES
 
@@ -95,8 +102,9 @@ inline bool read_all(int file, double time_limit_seconds, std::vector<char>& byt
 
 /// Calls `function()` in a child process and returns its result (exchanged by `exchange(archive, result)`).
 ///
-/// Whatever happens to the child (a crash, an endless loop, a call of exit()) comes back as `Invalid_input_error` that
-/// starts with `subject` and blames `worker`; so do the errors that `function` throws, unchanged.
+/// Whatever happens to the child (a crash, an endless loop, a call of exit()) comes back as `Invalid_input_error` (or
+/// `Abnormal_end_error`) that starts with `subject` and blames `worker`; so do the errors that `function` throws,
+/// unchanged.
 template <class Result, class Function>
 Result run_in_child_process(const Function& function, double time_limit_seconds, const std::string& subject,
                             const std::string& worker = "the geometry kernel")
@@ -123,13 +131,15 @@ Result run_in_child_process(const Function& function, double time_limit_seconds,
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!in_time)
-    throw Invalid_input_error(subject + ": " + worker + " did not finish within " +
-                              std::to_string(int(time_limit_seconds)) + " seconds");
+  if (!in_time) {
+    char seconds[40];
+    std::snprintf(seconds, sizeof seconds, "%.3g", std::max(time_limit_seconds, 0.0));
+    throw Invalid_input_error(subject + ": " + worker + " did not finish within " + seconds + " seconds");
+  }
   if (bytes.empty())
-    throw Invalid_input_error(subject + ": " + worker + " ended abnormally (" +
-                              (WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status)) : "it called exit") +
-                              ")");
+    throw Abnormal_end_error(subject + ": " + worker + " ended abnormally (" +
+                             (WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status)) : "it called exit") +
+                             ")");
   Byte_reader reader(bytes);
   char kind = 0;
   reader(kind);
