@@ -135,7 +135,7 @@ TEST(Volumetric_field, turns_scales_and_relabels_with_the_mesh)
         mapped(mesh, [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(scale * (R * p)); });
     const Volumetric_cross_field of_moved = volumetric_cross_field(moved, aligned(moved), converged());
     EXPECT_NEAR(of_moved.energy, scale * field.energy, 1e-6 * scale * field.energy);
-    EXPECT_LT(largest_distance(of_moved.frames, turned), 1e-2) << scale;
+    EXPECT_LT(largest_distance(of_moved.frames, turned), 1e-5) << scale;
   }
   std::vector<int> new_number;
   const Tetrahedral_mesh other = relabelled(mesh, 5, new_number);
@@ -143,7 +143,7 @@ TEST(Volumetric_field, turns_scales_and_relabels_with_the_mesh)
   std::vector<Eigen::Matrix3d> back(field.frames.size());
   for (std::size_t v = 0; v < back.size(); ++v)
     back[v] = of_other.frames[std::size_t(new_number[v])];
-  EXPECT_LT(largest_distance(back, field.frames), 1e-2);
+  EXPECT_LT(largest_distance(back, field.frames), 1e-5);
 }
 
 TEST(Volumetric_field, is_the_same_for_every_number_of_threads)
