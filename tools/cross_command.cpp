@@ -5,6 +5,7 @@
 
 #include "Console.h"
 #include "cross_output.h"
+#include "output_files.h"
 #include "picture_file.h"
 
 #include <Quadrille/align_with_boundary.h>
@@ -15,7 +16,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <set>
 #include <sstream>
 #include <thread>
 
@@ -27,27 +27,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Finds out at once, not after the computation, that an output file cannot be written.
 void check_outputs(const Cross_arguments& arguments)
 {
   for (const std::string& output : arguments.outputs)
     check_cross_output_name(output);
   if (!arguments.picture.empty())
     check_picture_name(arguments.picture);
-  const std::string ending = ".vtu";
-  if (const std::string& graph = arguments.graph;
-      !graph.empty() && (graph.size() < ending.size() || graph.substr(graph.size() - ending.size()) != ending))
-    throw Invalid_argument_error(graph + ": the name of this file has to end in .vtu");
-  std::set<std::string> names{arguments.input, arguments.metric};
+  check_ending(arguments.graph, ".vtu");
   std::vector<std::string> paths = arguments.outputs;
   paths.insert(paths.end(), {arguments.graph, arguments.picture, arguments.json});
-  for (const std::string& path : paths) {
-    if (path.empty())
-      continue;
-    if (!names.insert(path).second)
-      throw Invalid_argument_error(path + ": this file is named twice");
-    check_can_write(path);
-  }
+  check_output_files(paths, {arguments.input, arguments.metric});
 }
 
 /// The most memory that the program has had at a time, in bytes.

@@ -6,6 +6,7 @@
 #include "Console.h"
 #include "Quad_pipeline.h"
 #include "json_summary.h"
+#include "output_files.h"
 #include "picture_file.h"
 #include "pipeline_output.h"
 #include "svg_picture.h"
@@ -31,29 +32,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Finds out at once, not after the computation, that an output file cannot be written.
 void check_outputs(const Quad_arguments& arguments)
 {
   for (const std::string& output : arguments.outputs)
     mesh_file_format(output);
   if (!arguments.picture.empty())
     check_picture_name(arguments.picture);
-  const auto check_ending = [](const std::string& path, const std::string& ending) {
-    if (!path.empty() && (path.size() < ending.size() || path.substr(path.size() - ending.size()) != ending))
-      throw Invalid_argument_error(path + ": the name of this file has to end in " + ending);
-  };
   check_ending(arguments.field, ".vtu");
   check_ending(arguments.map, ".obj");
-  std::set<std::string> names{arguments.input};
   std::vector<std::string> paths = arguments.outputs;
   paths.insert(paths.end(), {arguments.field, arguments.map, arguments.picture, arguments.json});
-  for (const std::string& path : paths) {
-    if (path.empty())
-      continue;
-    if (!names.insert(path).second)
-      throw Invalid_argument_error(path + ": this file is named twice");
-    check_can_write(path);
-  }
+  check_output_files(paths, {arguments.input});
 }
 
 std::vector<Edge_frame_constraint> constraints_of(const Planar_domain& domain, const Domain_sizes& sizes)

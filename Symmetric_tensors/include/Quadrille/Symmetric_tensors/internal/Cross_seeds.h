@@ -55,8 +55,8 @@ public:
 
   using Products = Eigen::Matrix<float, number, 1>;
 
-  /// By seed, its product with `q` / `norm`: good enough to choose by in single precision, and all seeds side by side in
-  /// the vector registers.
+  /// By seed, its product with `q` / `norm`: good enough to choose by in single precision, and all seeds side by side
+  /// in the vector registers.
   Products products(const Cross_harmonics& q, double norm = 1) const
   {
     const Eigen::Matrix<float, 9, 1> p = (q / norm).cast<float>();

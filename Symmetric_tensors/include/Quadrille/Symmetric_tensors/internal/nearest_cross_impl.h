@@ -82,7 +82,8 @@ inline void nearest_crosses(const Cross_harmonics& p, const Cross_harmonics& q, 
   const Cross_seeds& seeds = cross_seeds();
   const auto norm = [](const Cross_harmonics& x) { return x.norm() > 0 ? x.norm() : 1; };
   const double norm_of_p = norm(p), norm_of_q = norm(q);
-  const Cross_seeds::Products products_of_p = seeds.products(p, norm_of_p), products_of_q = seeds.products(q, norm_of_q);
+  const Cross_seeds::Products products_of_p = seeds.products(p, norm_of_p),
+                              products_of_q = seeds.products(q, norm_of_q);
   const std::array<int, 2> best_of_p = seeds.best(products_of_p), best_of_q = seeds.best(products_of_q);
   Cross_newton<Pack> newton([&](int lane) -> const Cross_harmonics& { return lane < 2 ? p : q; },
                             [&](int lane) -> const Eigen::Vector4d& {
