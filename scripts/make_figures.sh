@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the manual's pictures anew with the program (built before) and ImageMagick.
+# Makes the manual's pictures anew with the program (built before), ImageMagick and rsvg-convert.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 program=build/bin/quadrille
@@ -27,3 +27,10 @@ figure three_component_wing 1 800 doc/Seamless_parametrization/fig/wing_map.png
 figure nautilus 2 600 doc/Quad_extraction/fig/nautilus_layout.png
 figure nautilus 3 600 doc/Quad_extraction/fig/nautilus_mesh.png
 figure three_component_wing 3 940 doc/fig/wing_mesh.png
+
+for case in ball notched_block bracket; do
+  file=doc/Volumetric_cross_field/fig/$case.png
+  "$program" cross "examples/data/$case.geo" --tet-size 0.1 -o "$folder/$case.vtu" --picture "$folder/$case.svg" --quiet
+  rsvg-convert -w 560 "$folder/$case.svg" -o "$file"
+  echo "$file"
+done
