@@ -54,7 +54,7 @@ def main():
     top = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", default=os.path.join(top, "build", "bin", "quadrille"))
-    parser.add_argument("--frequencies", type=int, nargs="+", default=[10, 16, 29, 48, 69],
+    parser.add_argument("--frequencies", type=int, nargs="+", default=[10, 16, 31, 54, 78],
                         help="of the divided icosahedra")
     arguments, extra = parser.parse_known_args()
 
