@@ -53,8 +53,7 @@ void lie_energy(benchmark::State& state)
       Energy::Residuals all = Energy::Residuals::Zero();
       if (!integrability.evaluate(e, corners, all, nullptr))
         state.SkipWithError("a size is not positive");
-      const Eigen::Matrix<double, Energy::Rows_order::first_odeco, 1> residuals =
-          all.head<Energy::Rows_order::first_odeco>();
+      const Eigen::Matrix<double, Energy::first_odeco, 1> residuals = all.head<Energy::first_odeco>();
       energy += 0.5 * residuals.squaredNorm();
       if (mesh.centroid(e).norm() < 6. / n)
         near_energy += 0.5 * residuals.squaredNorm();

@@ -84,7 +84,7 @@ template <int N> void compare(benchmark::State& state, const std::string& name, 
   Melt_and_freeze_schedule schedule;
   schedule.smooth_epsilon = epsilon;
   const Eigen::VectorXd start =
-      internal::Field_solver<N>(elements, schedule, 1, nullptr, Field_solver_kind::levenberg_marquardt).smooth_field(1);
+      internal::Field_solver<N>(elements, schedule, 1, nullptr, Field_solver_kind::levenberg_marquardt).smooth_field();
   const Energy energy(elements, epsilon);
 
   for (auto _ : state) {

@@ -106,7 +106,9 @@ template <int N, class Make_energy> void expect_right_derivatives(const Make_ene
 template <int N, Field_energy_kind kind> Field_energy<N, kind> attracted_energy(const Field_elements<N>& elements)
 {
   Field_energy<N, kind> energy(elements, 1.5);
-  energy.set_size_attraction(0.8);
+  Melt_and_freeze_schedule schedule;
+  schedule.size_attraction = 0.8;
+  energy.attract(schedule);
   energy.set_target_attraction(0.6);
   energy.set_grading_attraction(0.4);
   return energy;

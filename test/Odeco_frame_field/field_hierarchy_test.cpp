@@ -38,7 +38,7 @@ Constrained_mesh coarsened(const Constrained_mesh& mesh, std::size_t n, std::vec
                            std::vector<int>& coarse)
 {
   const std::vector<double> sizes(mesh.points.size(), 1);
-  Mesh_coarsener coarsener(mesh, sizes);
+  Mesh_coarsener<Eigen::Vector2d> coarsener(mesh, sizes);
   coarsener.coarsen(n);
   return coarsener.result(fine, coarse);
 }

@@ -29,8 +29,12 @@ struct Melt_and_freeze_schedule {
   /// Large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles, and 2 for even seeds.
   double melt_epsilon = 20;
   double size_attraction = 1; ///< weight of the mean squared log(size / expected), while melted
-  /// Anisotropic fields, always: weight of half the integral of |grad log(sqrt(size_u size_v) / expected)|^2. Without
-  /// it sizes may jump next to curves, since integrability does not restrict how a size changes along its own vector.
+  /// On surfaces, weight of the Dirichlet energy, while melted: singularities of opposite index attract each other
+  /// then.
+  double smooth_attraction = 0.1;
+  /// Anisotropic fields in the plane, always: weight of half the integral of |grad log(sqrt(size_u size_v) /
+  /// expected)|^2. Without it sizes may jump next to curves, since integrability does not restrict how a size changes
+  /// along its own vector.
   double grading_attraction = 0.2;
   double noise = 0.9;        ///< on q0, q3, q4, relative to q0 (half on q1, q2); below about 0.5 nothing happens
   int melt_steps = 15;       ///< Levenberg-Marquardt steps that take the noise out

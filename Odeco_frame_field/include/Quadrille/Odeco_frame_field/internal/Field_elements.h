@@ -5,6 +5,8 @@
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ELEMENTS_H
 
 #include <Quadrille/Odeco_frame_field/internal/Metric_residual.h>
+#include <Quadrille/Odeco_frame_field/internal/Residual_rows.h>
+#include <Quadrille/Odeco_frame_field/internal/Restricted_unknowns.h>
 #include <Quadrille/Odeco_frame_field/internal/Triangle_values.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
@@ -17,15 +19,6 @@
 
 namespace Quadrille {
 namespace internal {
-
-/// A vertex's coefficients as an affine function of its unknowns, q = offset + basis.leftCols(dimension) s: how
-/// Dirichlet and alignment conditions are eliminated.
-template <int N> struct Vertex_restriction {
-  Eigen::Matrix<double, N, 1> offset = Eigen::Matrix<double, N, 1>::Zero();
-  Eigen::Matrix<double, N, N> basis = Eigen::Matrix<double, N, N>::Identity();
-  int dimension = N;
-  bool is_free = true; ///< offset zero and basis the identity
-};
 
 /// What is wanted at vertices without being prescribed. Empty vectors: nowhere.
 struct Vertex_targets {
@@ -48,9 +41,16 @@ struct Vertex_targets {
 /// What the field's energies share: triangles with their shape gradients, and the vertices' restrictions.
 template <int N> class Field_elements {
 public:
-  using Coefficients = Eigen::Matrix<double, N, 1>;
-  static constexpr int max_unknowns = 3 * N;
-  using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
+  using Coefficients = typename Restricted_unknowns<N>::Coefficients;
+  static constexpr int number_of_coefficients = N;
+  static constexpr int max_unknowns = Restricted_unknowns<N>::max_unknowns;
+  using Unknowns = typename Restricted_unknowns<N>::Unknowns;
+  /// What `Triangle_energy` evaluates residuals with.
+  template <class S> using Triangle = Triangle_values<S, N>;
+  template <class S, int rows> using Value_rows = internal::Value_rows<S, N, rows>;
+  template <class S, int rows> using Jacobian_rows = internal::Jacobian_rows<S, N, rows>;
+  template <class S> using Gradient_rows = internal::Gradient_rows<S, N>;
+  template <class S> using Normal_rows = internal::Normal_rows<S, N>;
 
   struct Element {
     std::array<int, 3> vertex;
@@ -60,12 +60,12 @@ public:
     double size; ///< local triangle size, the unit of epsilon
   };
 
-  /// `sizes`: per face the length that multiplies the relative epsilon. Per vertex: `expected_log_sizes`, `targets`.
+  /// `sizes`: per face the length that multiplies the relative epsilon. Per vertex: `expected_log_values`, `targets`.
   Field_elements(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
                  const std::vector<double>& sizes, std::vector<Vertex_restriction<N>> restrictions,
-                 std::vector<double> expected_log_sizes, Vertex_targets targets = {})
-      : m_restrictions(std::move(restrictions)), m_expected_log_sizes(std::move(expected_log_sizes)),
-        m_targets(std::move(targets)), m_first(m_restrictions.size() + 1, 0)
+                 std::vector<double> expected_log_values, Vertex_targets targets = {})
+      : m_unknowns(std::move(restrictions)), m_expected_log_values(std::move(expected_log_values)),
+        m_targets(std::move(targets))
   {
     m_elements.reserve(std::size_t(mesh.number_of_faces()));
     for (int f = 0; f < mesh.number_of_faces(); ++f) {
@@ -87,37 +87,30 @@ public:
       m_elements.push_back(element);
     }
     for (const Element& element : m_elements)
-      m_is_free.push_back(std::all_of(element.vertex.begin(), element.vertex.end(),
-                                      [&](int v) { return m_restrictions[std::size_t(v)].is_free; }));
+      m_is_free.push_back(m_unknowns.are_free(element.vertex));
     if (has_targets())
       for (const Element& element : m_elements)
         for (const int v : element.vertex)
           m_target_area += element.area / 3 * target_weight(std::size_t(v));
-    for (std::size_t v = 0; v < m_restrictions.size(); ++v)
-      m_first[v + 1] = m_first[v] + m_restrictions[v].dimension;
   }
 
   std::size_t number_of_elements() const { return m_elements.size(); }
-  std::size_t number_of_vertices() const { return m_restrictions.size(); }
-  std::size_t number_of_unknowns() const { return std::size_t(m_first.back()); }
+  std::size_t number_of_nodes() const { return m_unknowns.number_of_nodes(); }
+  std::size_t number_of_unknowns() const { return m_unknowns.number_of_unknowns(); }
   const Element& element(std::size_t e) const { return m_elements[e]; }
-  const Vertex_restriction<N>& restriction(std::size_t v) const { return m_restrictions[v]; }
-  double expected_log_size(std::size_t v) const { return m_expected_log_sizes[v]; }
+  const Vertex_restriction<N>& restriction(std::size_t v) const { return m_unknowns.restriction(v); }
+  double expected_log_value(std::size_t v) const { return m_expected_log_values[v]; }
   const Vertex_targets& targets() const { return m_targets; }
   bool has_targets() const { return !m_targets.weight.empty(); }
   double target_weight(std::size_t v) const { return has_targets() ? m_targets.weight[v] : 0; }
   double total_area() const { return m_total_area; }
   /// Of the part where there are targets.
   double target_area() const { return m_target_area; }
-  int first_unknown(std::size_t v) const { return m_first[v]; }
+  int first_unknown(std::size_t v) const { return m_unknowns.index(v)[0]; }
 
   int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
   {
-    int count = 0;
-    for (const int v : m_elements[e].vertex)
-      for (int i = m_first[std::size_t(v)]; i < m_first[std::size_t(v) + 1]; ++i)
-        index[std::size_t(count++)] = i;
-    return count;
+    return m_unknowns.element_unknowns(m_elements[e].vertex, index);
   }
 
   /// No vertex of the element is restricted.
@@ -133,7 +126,7 @@ public:
     for (int lane = 0; lane < lanes; ++lane) {
       const int i = std::min(lane, count - 1);
       element[lane] = &m_elements[first + std::size_t(i)];
-      q[lane] = m_is_free[first + std::size_t(i)] ? x[i] : corner_coefficients(*element[lane], x[i]);
+      q[lane] = m_is_free[first + std::size_t(i)] ? x[i] : m_unknowns.corner_coefficients(element[lane]->vertex, x[i]);
     }
     const auto vertex = [&](int lane, int k) { return std::size_t(element[lane]->vertex[std::size_t(k)]); };
     for (int k = 0; k < 3; ++k) {
@@ -141,7 +134,7 @@ public:
         values.coefficients[k][i] = from_lanes<S>([&](int lane) { return q[lane][k * N + i]; });
       for (int a = 0; a < 2; ++a)
         values.gradient[a][k] = from_lanes<S>([&](int lane) { return element[lane]->gradient(a, k); });
-      values.expected_log_size[k] = from_lanes<S>([&](int lane) { return expected_log_size(vertex(lane, k)); });
+      values.expected_log_value[k] = from_lanes<S>([&](int lane) { return expected_log_value(vertex(lane, k)); });
       values.target_weight[k] = from_lanes<S>([&](int lane) { return target_weight(vertex(lane, k)); });
       if (!m_targets.metric.empty())
         for (int i = 0; i < 3; ++i)
@@ -156,56 +149,23 @@ public:
   /// Derivatives by the unknowns from those by the coefficients of the corners (columns k N ... k N + N - 1).
   template <class Matrix> void restrict_columns(std::size_t e, const Matrix& by_coefficients, Matrix& by_unknowns) const
   {
-    int place = 0;
-    for (int k = 0; k < 3; ++k) {
-      const Vertex_restriction<N>& r = m_restrictions[std::size_t(m_elements[e].vertex[std::size_t(k)])];
-      if (r.is_free)
-        by_unknowns.template middleCols<N>(place) = by_coefficients.template middleCols<N>(k * N);
-      else if (r.dimension > 0)
-        by_unknowns.middleCols(place, r.dimension).noalias() =
-            by_coefficients.template middleCols<N>(k * N) * r.basis.leftCols(r.dimension);
-      place += r.dimension;
-    }
-    by_unknowns.rightCols(max_unknowns - place).setZero();
+    m_unknowns.restrict_columns(m_elements[e].vertex, by_coefficients, by_unknowns);
   }
 
-  Coefficients coefficients(std::size_t v, const Eigen::VectorXd& x) const
-  {
-    const Vertex_restriction<N>& r = m_restrictions[v];
-    return r.offset + r.basis.leftCols(r.dimension) * x.segment(m_first[v], r.dimension);
-  }
-
+  Coefficients coefficients(std::size_t v, const Eigen::VectorXd& x) const { return m_unknowns.coefficients(v, x); }
   /// The unknowns whose coefficients are nearest to the given ones.
   void assign_coefficients(std::size_t v, const Coefficients& q, Eigen::VectorXd& x) const
   {
-    const Vertex_restriction<N>& r = m_restrictions[v];
-    if (r.dimension > 0) {
-      const auto basis = r.basis.leftCols(r.dimension);
-      x.segment(m_first[v], r.dimension) = (basis.transpose() * basis).ldlt().solve(basis.transpose() * (q - r.offset));
-    }
+    m_unknowns.assign_coefficients(v, q, x);
   }
 
 private:
-  /// Of the three corners, one after the other.
-  Unknowns corner_coefficients(const Element& element, const Unknowns& x) const
-  {
-    Unknowns q;
-    int place = 0;
-    for (int k = 0; k < 3; ++k) {
-      const Vertex_restriction<N>& r = m_restrictions[std::size_t(element.vertex[std::size_t(k)])];
-      q.template segment<N>(k * N) = r.offset + r.basis.leftCols(r.dimension) * x.segment(place, r.dimension);
-      place += r.dimension;
-    }
-    return q;
-  }
-
   std::vector<Element> m_elements;
   std::vector<bool> m_is_free; ///< elements
-  std::vector<Vertex_restriction<N>> m_restrictions;
-  std::vector<double> m_expected_log_sizes;
+  Restricted_unknowns<N> m_unknowns;
+  std::vector<double> m_expected_log_values;
   Vertex_targets m_targets;
   double m_total_area = 0, m_target_area = 0;
-  std::vector<int> m_first;
 };
 
 } // namespace internal

@@ -4,6 +4,9 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ENERGY_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_ENERGY_H
 
+#include <Quadrille/Odeco_field_options.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_elements.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_residuals.h>
 #include <Quadrille/Odeco_frame_field/internal/Triangle_energy.h>
 
 namespace Quadrille {
@@ -26,14 +29,16 @@ template <int N, Field_energy_kind kind> struct Field_energy_rows {
 /// The normalised energies of planar-2: linear triangles, three-point quadrature. Half the squared norm of the
 /// residuals is the energy.
 template <int N, Field_energy_kind kind>
-class Field_energy : public Triangle_energy<Field_energy<N, kind>, N, Field_energy_rows<N, kind>::count> {
-  using Base = Triangle_energy<Field_energy<N, kind>, N, Field_energy_rows<N, kind>::count>;
+class Field_energy
+    : public Triangle_energy<Field_energy<N, kind>, Field_elements<N>, Field_energy_rows<N, kind>::count> {
+  using Base = Triangle_energy<Field_energy<N, kind>, Field_elements<N>, Field_energy_rows<N, kind>::count>;
   using Pieces = Field_residuals<N>;
   using Traits = Tensor_coefficients<N>;
   static constexpr bool integrable = kind == Field_energy_kind::integrability;
 
 public:
-  using Rows_order = Field_energy_rows<N, kind>;
+  static constexpr int first_odeco = Field_energy_rows<N, kind>::first_odeco,
+                       first_size = Field_energy_rows<N, kind>::first_size;
 
   /// `relative_epsilon` is in units of the elements' sizes.
   Field_energy(const Field_elements<N>& elements, double relative_epsilon)
@@ -43,9 +48,10 @@ public:
 
   void set_relative_epsilon(double relative_epsilon) { m_relative_epsilon = relative_epsilon; }
   double relative_epsilon() const { return m_relative_epsilon; }
-  /// Adds `weight` times half the mean over the domain of the squared logarithm of size against the expected one. It
-  /// decides between fields that are equally integrable, as along the flat valleys of a melted field.
-  void set_size_attraction(double weight) { m_size_attraction = weight; }
+  /// What leads a melted field: adds the schedule's weight times half the mean over the domain of the squared logarithm
+  /// of size against the expected one. It decides between fields that are equally integrable, as along flat valleys.
+  void attract(const Melt_and_freeze_schedule& schedule) { m_size_attraction = schedule.size_attraction; }
+  void stop_attracting() { m_size_attraction = 0; }
   /// The same where the expected size is a target, with the mean over that part of the domain.
   void set_target_attraction(double weight) { m_target_attraction = weight; }
 
@@ -87,7 +93,7 @@ private:
     for (const auto& weight : Pieces::weights) {
       S expected = 0, target = 0;
       for (int k = 0; k < 3; ++k) {
-        expected += weight[k] * triangle.expected_log_size[k];
+        expected += weight[k] * triangle.expected_log_value[k];
         target += weight[k] * triangle.target_weight[k];
       }
       const S factor = triangle.root_area * square_root(density + target_density * target);
@@ -115,7 +121,7 @@ private:
     for (int a = 0; a < 2; ++a) {
       const Tuple<S, N> slope = triangle.slope(a);
       const S log_slope = scale * dot(by_area, slope);
-      const Tuple<S, 1> value = {{log_slope - factor * dot(triangle.gradient[a], triangle.expected_log_size)}};
+      const Tuple<S, 1> value = {{log_slope - factor * dot(triangle.gradient[a], triangle.expected_log_value)}};
       if constexpr (Rows::with_derivatives) {
         // The area is a quadratic form, so its derivatives are linear in the coefficients.
         Tuple<Tuple<S, N>, 1> by_value = {{scaled(scale, Traits::area_derivatives(slope))}};

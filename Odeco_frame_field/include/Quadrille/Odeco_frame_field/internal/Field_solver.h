@@ -4,128 +4,48 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_SOLVER_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_SOLVER_H
 
-#include <Quadrille/Element_least_squares.h>
-#include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/Field_energy.h>
 #include <Quadrille/Odeco_frame_field/internal/Kappa_energy.h>
-#include <Quadrille/minimize_lbfgs.h>
-#include <Quadrille/minimize_least_squares.h>
+#include <Quadrille/Odeco_frame_field/internal/Melting_solver.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <random>
 #include <vector>
 
 namespace Quadrille {
 namespace internal {
 
-/// Uniform numbers in [-1, 1) that are the same on every platform.
-class Noise {
-public:
-  explicit Noise(std::uint64_t seed) : m_engine(seed) {}
-  double operator()() { return std::ldexp(double(m_engine() >> 11), -52) - 1; }
-
-private:
-  std::mt19937_64 m_engine;
-};
-
-/// The schedule for a field of `n_triangles`: a singularity has to be soft over the same part of the domain however
-/// fine the triangles are.
-inline Melt_and_freeze_schedule melt_and_freeze_schedule_for(Melt_and_freeze_schedule schedule, std::size_t n_triangles)
-{
-  schedule.melt_epsilon *= std::max(1.0, std::sqrt(double(n_triangles) / 2500));
-  return schedule;
-}
-
-/// Minimises the energies of one field; every method starts from, and returns, a vector of unknowns.
-template <int N> class Field_solver {
+/// Minimises the energies of one planar field; every method starts from, and returns, a vector of unknowns.
+template <int N> class Field_solver : public Melting_solver<Field_energy<N, Field_energy_kind::integrability>> {
 public:
   using Smoothness = Field_energy<N, Field_energy_kind::smoothness>;
   using Integrability = Field_energy<N, Field_energy_kind::integrability>;
+  using Base = Melting_solver<Integrability>;
   using Coefficients = typename Field_elements<N>::Coefficients;
 
   Field_solver(const Field_elements<N>& elements, const Melt_and_freeze_schedule& schedule, int threads,
                const Progress_observer* observer, Field_solver_kind kind, double target_attraction = 0)
-      : m_elements(elements), m_schedule(schedule), m_observer(observer), m_kind(kind),
-        m_smoothness(elements, schedule.smooth_epsilon), m_integrability(elements, schedule.final_epsilon),
-        m_integrable_problem(m_integrability, elements.number_of_unknowns(), threads)
-  {
-#ifndef QUADRILLE_WITH_ALGLIB
-    if (kind != Field_solver_kind::levenberg_marquardt)
-      throw Invalid_argument_error("the L-BFGS reference solvers need ALGLIB, which this build does not have");
-#endif
-    m_integrability.set_target_attraction(target_attraction);
-    if constexpr (N == 5)
-      m_integrability.set_grading_attraction(schedule.grading_attraction);
-    if (elements.number_of_unknowns() > 0)
-      m_solver.analyze(m_integrable_problem.gauss_newton_matrix());
-  }
-
-  /// Another solver for the same field, to be used on another thread. The pattern and its analysis are shared, the
-  /// factor, which takes most of the memory, is not.
-  Field_solver(const Field_solver& other, int threads)
-      : m_elements(other.m_elements), m_schedule(other.m_schedule), m_observer(other.m_observer), m_kind(other.m_kind),
-        m_smoothness(other.m_smoothness), m_integrability(other.m_integrability),
-        m_integrable_problem(m_integrability, other.m_integrable_problem, threads), m_solver(other.m_solver)
+      : Base(elements, integrability(elements, schedule, target_attraction), schedule, threads, observer, kind),
+        m_smoothness(elements, schedule.smooth_epsilon)
   {
   }
 
-  /// The minimum of E_smooth (of E_kappa, kappa = 1) from the harmonic extension of the constraints. `typical_size`
-  /// sets the scale where the constraints leave it open.
-  Eigen::VectorXd smooth_field(double typical_size)
+  /// As that of `Melting_solver`.
+  Field_solver(const Field_solver& other, int threads) : Base(other, threads), m_smoothness(other.m_smoothness) {}
+
+  /// The minimum of E_smooth (of E_kappa, kappa = 1) from the harmonic extension of the constraints, and of
+  /// frames of size 1 where these leave it open.
+  Eigen::VectorXd smooth_field()
   {
     // Most solvers never need it, and its matrix takes memory.
     Element_least_squares<Smoothness> problem(m_smoothness, m_integrable_problem, m_integrable_problem.threads());
-    Eigen::VectorXd x = harmonic_field(problem, typical_size);
+    Eigen::VectorXd x = harmonic_field(problem);
     if (m_kind == Field_solver_kind::lbfgs_kappa) {
       minimize_kappa(x, {1});
       return x;
     }
     Levenberg_marquardt_options options;
     options.relative_decrease = 1e-6;
-    minimize(problem, x, options);
+    this->minimize(problem, x, options);
     return x;
-  }
-
-  /// From `smooth` and the noise of `seed` to a local minimum of E_integ at the final epsilon.
-  ///
-  /// How far a field should be melted differs: singularities that are softer go further and vanish more easily, harder
-  /// ones find more of the places where the sizes need them. So every other seed melts twice as much.
-  Eigen::VectorXd melt_and_freeze(const Eigen::VectorXd& smooth, std::uint64_t seed)
-  {
-    const double melt_epsilon = (seed % 2 == 0 ? 2 : 1) * m_schedule.melt_epsilon;
-    Eigen::VectorXd x = perturbed(smooth, seed);
-    m_integrability.set_relative_epsilon(melt_epsilon);
-    m_integrability.set_size_attraction(m_schedule.size_attraction);
-    take_noise_out(x);
-    settle(x);
-    m_integrability.set_size_attraction(0);
-    Levenberg_marquardt_options options;
-    options.max_iterations = m_schedule.freeze_steps;
-    options.relative_decrease = 1e-3;
-    for (double epsilon = melt_epsilon / m_schedule.freeze_ratio; epsilon > m_schedule.final_epsilon;
-         epsilon /= m_schedule.freeze_ratio) {
-      m_integrability.set_relative_epsilon(epsilon);
-      minimize(m_integrable_problem, x, options);
-    }
-    integrate(x);
-    return x;
-  }
-
-  /// From a field that is frozen where triangles are `ratio` times larger to a local minimum of E_integ at the final
-  /// epsilon here.
-  void sharpen(Eigen::VectorXd& x, double ratio)
-  {
-    m_integrability.set_size_attraction(0);
-    Levenberg_marquardt_options options;
-    options.max_iterations = m_schedule.sharpen_steps;
-    options.relative_decrease = 1e-2;
-    for (double epsilon = ratio * m_schedule.final_epsilon; epsilon > m_schedule.final_epsilon; epsilon /= 2) {
-      m_integrability.set_relative_epsilon(epsilon);
-      minimize(m_integrable_problem, x, options);
-    }
-    integrate(x);
   }
 
   /// Minimises E_integ (E_kappa down to kappa = 0) at the final epsilon.
@@ -135,84 +55,18 @@ public:
       minimize_kappa(x, {1e-1, 1e-2, 1e-3, 1e-4, 0});
       return;
     }
-    m_integrability.set_relative_epsilon(m_schedule.final_epsilon);
-    Levenberg_marquardt_options options;
-    options.max_iterations = m_schedule.final_steps;
-    options.relative_decrease = 1e-4;
-    minimize(m_integrable_problem, x, options);
+    Base::integrate(x);
   }
-
-  double integrability_energy(const Eigen::VectorXd& x) const { return m_integrable_problem.energy(x); }
-  /// The papers' two parts of the integrability energy.
-  struct Energy_parts {
-    double lie = 0;   ///< E_Lie; planar-2, eq. (30)
-    double odeco = 0; ///< E_odeco / epsilon^2; planar-2, eqs. (31), (33)
-  };
-  Energy_parts energy_parts(const Eigen::VectorXd& x) const
-  {
-    Energy_parts parts;
-    std::array<int, std::size_t(Integrability::max_unknowns)> index;
-    for (std::size_t e = 0; e < m_integrability.number_of_elements(); ++e) {
-      typename Integrability::Unknowns local = Integrability::Unknowns::Zero();
-      const int count = m_integrability.element_unknowns(e, index);
-      for (int i = 0; i < count; ++i)
-        local[i] = x[index[std::size_t(i)]];
-      typename Integrability::Residuals residuals;
-      if (!m_integrability.evaluate(e, local, residuals, nullptr)) {
-        parts.lie = parts.odeco = std::numeric_limits<double>::infinity();
-        return parts;
-      }
-      constexpr int lie_end = Integrability::Rows_order::first_odeco, odeco_end = Integrability::Rows_order::first_size;
-      parts.lie += 0.5 * residuals.template head<lie_end>().squaredNorm();
-      parts.odeco += 0.5 * residuals.template segment<odeco_end - lie_end>(lie_end).squaredNorm();
-    }
-    return parts;
-  }
-  /// Accepted steps of all minimisations so far.
-  int iterations() const { return m_iterations; }
 
 private:
-  /// The energies have no unit; below this the frames are exact to about 1e-9.
-  double negligible_energy() const { return 1e-18 * double(m_elements.number_of_elements()); }
-
-  void take_noise_out(Eigen::VectorXd& x)
+  static Integrability integrability(const Field_elements<N>& elements, const Melt_and_freeze_schedule& schedule,
+                                     double target_attraction)
   {
-    Levenberg_marquardt_options options;
-    options.max_iterations = m_schedule.melt_steps;
-    options.relative_decrease = 1e-5;
-    minimize(m_integrable_problem, x, options);
-  }
-
-  /// Lets the singularities of a melted field find their places.
-  void settle(Eigen::VectorXd& x)
-  {
-    Preconditioned_lbfgs_options soft;
-    soft.max_iterations = m_schedule.soft_iterations;
-    soft.relative_decrease = 1e-4;
-    soft.negligible_energy = negligible_energy();
-    soft.observer = m_observer;
-    soft.stage = "field";
-    if (x.size() > 0)
-      m_iterations += minimize_preconditioned_lbfgs(m_integrable_problem, x, soft, &m_solver).iterations;
-  }
-
-  template <class Problem> void minimize(Problem& problem, Eigen::VectorXd& x, Levenberg_marquardt_options options)
-  {
-    if (x.size() == 0)
-      return;
-#ifdef QUADRILLE_WITH_ALGLIB
-    if (m_kind != Field_solver_kind::levenberg_marquardt) {
-      Lbfgs_options lbfgs;
-      lbfgs.observer = m_observer;
-      lbfgs.stage = "field";
-      m_iterations += minimize_lbfgs(problem, x, lbfgs).iterations;
-      return;
-    }
-#endif
-    options.negligible_energy = negligible_energy();
-    options.observer = m_observer;
-    options.stage = "field";
-    m_iterations += minimize_levenberg_marquardt(problem, x, options, &m_solver).iterations;
+    Integrability energy(elements, schedule.final_epsilon);
+    energy.set_target_attraction(target_attraction);
+    if constexpr (N == 5)
+      energy.set_grading_attraction(schedule.grading_attraction);
+    return energy;
   }
 
   /// The schedule of planar-1, algorithm 1.
@@ -222,61 +76,33 @@ private:
     Element_least_squares<Kappa_energy<N>> problem(energy, m_integrable_problem, m_integrable_problem.threads());
     for (const double kappa : kappas) {
       energy.set_kappa(kappa);
-      minimize(problem, x, {});
+      this->minimize(problem, x, {});
     }
   }
 
-  Eigen::VectorXd harmonic_field(Element_least_squares<Smoothness>& problem, double typical_size)
+  Eigen::VectorXd harmonic_field(Element_least_squares<Smoothness>& problem)
   {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(m_elements.number_of_unknowns()));
     // E_odeco needs a positive area, so the Dirichlet energy alone gives the start. It is quadratic: with a huge
     // epsilon one Gauss-Newton step from any feasible point reaches its minimum.
-    Orthogonal_frame_2 frame;
-    frame.size_u = frame.size_v = typical_size;
-    const Coefficients uniform = Tensor_coefficients<N>::from_harmonics(odeco_harmonics(frame));
-    for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v)
+    const Coefficients uniform = Tensor_coefficients<N>::from_harmonics(odeco_harmonics({}));
+    for (std::size_t v = 0; v < m_elements.number_of_nodes(); ++v)
       m_elements.assign_coefficients(v, uniform, x);
     m_smoothness.set_relative_epsilon(1e6);
     Levenberg_marquardt_options options;
     options.max_iterations = 10;
     options.initial_damping = 1e-6;
     options.relative_decrease = 1e-4;
-    minimize(problem, x, options);
+    this->minimize(problem, x, options);
     m_smoothness.set_relative_epsilon(m_schedule.smooth_epsilon);
     return x;
   }
 
-  Eigen::VectorXd perturbed(const Eigen::VectorXd& smooth, std::uint64_t seed) const
-  {
-    Eigen::VectorXd x = smooth;
-    Noise noise(seed);
-    for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v) {
-      // The smooth field may have shrunk where its directions cancel; the expected sizes have not.
-      Coefficients q = m_elements.coefficients(v, smooth);
-      const double size = std::exp(m_elements.expected_log_size(v));
-      q[0] = size * Tensor_coefficients<N>::from_harmonics(odeco_harmonics({}))[0];
-      const double amplitude = m_schedule.noise * q[0];
-      for (const int i : {0, Tensor_coefficients<N>::band4, Tensor_coefficients<N>::band4 + 1})
-        q[i] += amplitude * noise();
-      if constexpr (N == 5) // relative to the new q0, so that areas stay positive
-        for (const int i : {1, 2})
-          q[i] = 0.5 * m_schedule.noise * q[0] * noise();
-      m_elements.assign_coefficients(v, q, x);
-      if (!(Tensor_coefficients<N>::area(m_elements.coefficients(v, x)) > 0))
-        m_elements.assign_coefficients(v, m_elements.coefficients(v, smooth), x);
-    }
-    return x;
-  }
-
-  const Field_elements<N>& m_elements;
-  Melt_and_freeze_schedule m_schedule;
-  const Progress_observer* m_observer;
-  Field_solver_kind m_kind;
+  using Base::m_elements;
+  using Base::m_integrable_problem;
+  using Base::m_kind;
+  using Base::m_schedule;
   Smoothness m_smoothness;
-  Integrability m_integrability;
-  Element_least_squares<Integrability> m_integrable_problem;
-  Cholesky_solver m_solver;
-  int m_iterations = 0;
 };
 
 } // namespace internal

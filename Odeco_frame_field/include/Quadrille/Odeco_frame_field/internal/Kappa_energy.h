@@ -4,6 +4,8 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_KAPPA_ENERGY_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_KAPPA_ENERGY_H
 
+#include <Quadrille/Odeco_frame_field/internal/Field_elements.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_residuals.h>
 #include <Quadrille/Odeco_frame_field/internal/Triangle_energy.h>
 
 #include <algorithm>
@@ -21,13 +23,13 @@ constexpr int kappa_energy_rows =
 /// divided by areas: how the three terms compare depends on the unit of sizes.
 ///
 /// With kappa = 1 every tensor is in its domain, also the zero that the paper starts from.
-template <int N> class Kappa_energy : public Triangle_energy<Kappa_energy<N>, N, kappa_energy_rows<N>> {
+template <int N> class Kappa_energy : public Triangle_energy<Kappa_energy<N>, Field_elements<N>, kappa_energy_rows<N>> {
   using Pieces = Field_residuals<N>;
 
 public:
   /// As in the paper, epsilon is the same everywhere: `relative_epsilon` times the size of the largest triangle.
   Kappa_energy(const Field_elements<N>& elements, double relative_epsilon, double kappa)
-      : Triangle_energy<Kappa_energy<N>, N, kappa_energy_rows<N>>(elements), m_kappa(kappa)
+      : Triangle_energy<Kappa_energy<N>, Field_elements<N>, kappa_energy_rows<N>>(elements), m_kappa(kappa)
   {
     for (std::size_t e = 0; e < elements.number_of_elements(); ++e)
       m_epsilon = std::max(m_epsilon, relative_epsilon * elements.element(e).size);

@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_MESH_COARSENER_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_MESH_COARSENER_H
 
+#include <Quadrille/Odeco_frame_field/internal/local_triangle_sizes.h>
 #include <Quadrille/Odeco_frame_field/internal/vertex_restrictions.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
@@ -19,26 +20,33 @@ namespace Quadrille {
 namespace internal {
 
 /// A triangulation with constrained edges.
-struct Constrained_mesh {
+template <class Point> struct Constrained_triangulation {
   Indexed_triangulation mesh;
-  std::vector<Eigen::Vector2d> points;
+  std::vector<Point> points;
   std::vector<Constrained_halfedge> edges;
 };
+using Constrained_mesh = Constrained_triangulation<Eigen::Vector2d>;
+using Constrained_surface = Constrained_triangulation<Eigen::Vector3d>;
 
 /// Coarsens a triangulation by collapsing edges, shortest first relative to the given vertex sizes, one end into the
 /// other. Its vertices are vertices of the given one.
 ///
 /// Boundaries and constrained edges stay what they are, only with fewer vertices: those where such a curve ends,
 /// branches, turns by more than 25 degrees or changes its constraint stay. No triangle is inverted or becomes worse
-/// than both a lower bound and what was there. Deterministic. Complexity: O(n log n).
-class Mesh_coarsener {
+/// than both a lower bound and what was there; on surfaces none turns by more than 45 degrees from where it was at
+/// first. Deterministic. Complexity: O(n log n).
+template <class Point> class Mesh_coarsener {
 public:
-  Mesh_coarsener(const Constrained_mesh& mesh, const std::vector<double>& vertex_sizes)
+  using Mesh = Constrained_triangulation<Point>;
+
+  Mesh_coarsener(const Mesh& mesh, const std::vector<double>& vertex_sizes)
       : m_points(mesh.points), m_sizes(vertex_sizes), m_triangles_of(mesh.points.size()),
         m_curves_of(mesh.points.size()), m_collapsed_into(mesh.points.size(), -1)
   {
     for (int f = 0; f < mesh.mesh.number_of_faces(); ++f) {
       m_triangles.push_back(mesh.mesh.triangle(f));
+      if constexpr (on_surface)
+        m_first_normal.push_back(doubled_normal(m_triangles.back()).normalized());
       for (const int v : m_triangles.back())
         m_triangles_of[std::size_t(v)].push_back(f);
     }
@@ -82,9 +90,9 @@ public:
 
   /// The coarse triangulation. `fine_vertex` receives the given vertex that each of its vertices is, `coarse_vertex` of
   /// each given vertex the coarse one that it went into.
-  Constrained_mesh result(std::vector<int>& fine_vertex, std::vector<int>& coarse_vertex) const
+  Mesh result(std::vector<int>& fine_vertex, std::vector<int>& coarse_vertex) const
   {
-    Constrained_mesh result;
+    Mesh result;
     fine_vertex.clear();
     coarse_vertex.assign(m_points.size(), -1);
     for (std::size_t v = 0; v < m_points.size(); ++v)
@@ -116,6 +124,8 @@ public:
   }
 
 private:
+  static constexpr bool on_surface = Point::RowsAtCompileTime == 3;
+
   /// An edge of a curve, seen from one of its ends.
   struct Curve_end {
     int other;
@@ -175,13 +185,27 @@ private:
             queue_edge(v, w);
   }
 
-  /// 1 for an equilateral triangle, 0 for a degenerate one, negative for an inverted one.
-  double quality(const std::array<int, 3>& t) const
+  Eigen::Vector3d doubled_normal(const std::array<int, 3>& t) const
   {
-    const Eigen::Vector2d a = m_points[std::size_t(t[1])] - m_points[std::size_t(t[0])];
-    const Eigen::Vector2d b = m_points[std::size_t(t[2])] - m_points[std::size_t(t[0])];
+    const Point& apex = m_points[std::size_t(t[0])];
+    return (m_points[std::size_t(t[1])] - apex).cross(m_points[std::size_t(t[2])] - apex);
+  }
+
+  /// What triangle `f` with the corners `t` is like: 1 for an equilateral one, 0 for a degenerate one, negative for an
+  /// inverted one.
+  double quality(int f, const std::array<int, 3>& t) const
+  {
+    const Point a = m_points[std::size_t(t[1])] - m_points[std::size_t(t[0])];
+    const Point b = m_points[std::size_t(t[2])] - m_points[std::size_t(t[0])];
     const double squares = a.squaredNorm() + b.squaredNorm() + (b - a).squaredNorm();
-    return 2 * std::sqrt(3.0) * (a.x() * b.y() - a.y() * b.x()) / squares;
+    double area = twice_area(a, b);
+    if constexpr (on_surface) {
+      const double cos_45 = 0.7071;
+      const double along = doubled_normal(t).dot(m_first_normal[std::size_t(f)]);
+      if (along < cos_45 * area)
+        area = std::min(along, 0.0);
+    }
+    return 2 * std::sqrt(3.0) * area / squares;
   }
 
   /// Whether the curve through `v` may lose it in favour of `w`.
@@ -196,8 +220,8 @@ private:
         ends[0].size.normal != ends[1].size.normal || ends[0].size.tangential != ends[1].size.tangential)
       return false;
     const int u = ends[ends[0].other == w ? 1 : 0].other;
-    const Eigen::Vector2d before = m_points[std::size_t(v)] - m_points[std::size_t(u)];
-    const Eigen::Vector2d after = m_points[std::size_t(w)] - m_points[std::size_t(v)];
+    const Point before = m_points[std::size_t(v)] - m_points[std::size_t(u)];
+    const Point after = m_points[std::size_t(w)] - m_points[std::size_t(v)];
     const double cos_25 = 0.9063;
     return !are_neighbours(u, w) && before.dot(after) >= cos_25 * before.norm() * after.norm();
   }
@@ -215,12 +239,12 @@ private:
     double before = 1, after = 1;
     for (const int f : m_triangles_of[std::size_t(v)]) {
       std::array<int, 3> t = m_triangles[std::size_t(f)];
-      before = std::min(before, quality(t));
+      before = std::min(before, quality(f, t));
       if (has_vertex(f, w)) {
         ++n_shared;
       } else {
         std::replace(t.begin(), t.end(), v, w);
-        after = std::min(after, quality(t));
+        after = std::min(after, quality(f, t));
       }
     }
     const double good = 0.4;
@@ -257,9 +281,10 @@ private:
   static void remove(std::vector<int>& list, int f) { list.erase(std::find(list.begin(), list.end(), f)); }
 
   using Queued_edge = std::tuple<double, int, int>; ///< relative length and the two ends
-  const std::vector<Eigen::Vector2d>& m_points;
+  const std::vector<Point>& m_points;
   const std::vector<double>& m_sizes;
   std::vector<std::array<int, 3>> m_triangles; ///< (-1, -1, -1): gone
+  std::vector<Point> m_first_normal;           ///< of triangles of a surface
   std::size_t m_n_triangles = 0;
   std::vector<std::vector<int>> m_triangles_of;    ///< of every vertex
   std::vector<std::vector<Curve_end>> m_curves_of; ///< of every vertex

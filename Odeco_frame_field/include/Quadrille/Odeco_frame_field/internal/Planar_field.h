@@ -6,8 +6,8 @@
 
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/Canonical_position.h>
-#include <Quadrille/Odeco_frame_field/internal/Field_hierarchy.h>
-#include <Quadrille/Odeco_frame_field/internal/Field_solver.h>
+#include <Quadrille/Odeco_frame_field/internal/Planar_level.h>
+#include <Quadrille/Odeco_frame_field/internal/check_field_arguments.h>
 #include <Quadrille/Odeco_frame_field/internal/harmonic_log_sizes.h>
 #include <Quadrille/Odeco_frame_field/internal/local_triangle_sizes.h>
 #include <Quadrille/Odeco_frame_field/internal/vertex_restrictions.h>
@@ -16,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,34 +24,13 @@
 namespace Quadrille {
 namespace internal {
 
-using Gradients = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
-
 inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges, const Odeco_field_options& options)
 {
   if (edges.empty())
     throw Invalid_input_error("no edge is constrained, so any constant field would do; align the frames with the "
                               "boundary at least");
-  for (const Constrained_halfedge& edge : edges)
-    for (const Frame_size& size : edge.size) {
-      for (const double value : {size.normal, size.tangential})
-        if (!(value >= 0) || !std::isfinite(value))
-          throw Invalid_argument_error("an edge has the prescribed size " + std::to_string(value) +
-                                       "; sizes must be positive and finite (0 leaves a size free)");
-      if (size.normal == size.tangential)
-        continue;
-      if (!edge.aligned)
-        throw Invalid_argument_error("an edge that frames need not align with has different sizes across and along it; "
-                                     "prescribe one size, or align the frames");
-      if (options.isotropic && size.normal > 0 && size.tangential > 0)
-        throw Invalid_argument_error("an edge has the prescribed sizes " + std::to_string(size.normal) +
-                                     " across and " + std::to_string(size.tangential) +
-                                     " along it; isotropic frames have one size, so make them equal or the field "
-                                     "anisotropic");
-    }
-  for (const double size : options.target_size)
-    if (!(size >= 0) || !std::isfinite(size))
-      throw Invalid_argument_error("a vertex has the target size " + std::to_string(size) +
-                                   "; sizes must be positive and finite (0 for no target)");
+  check_prescribed_sizes(edges, options.isotropic);
+  check_target_sizes(options.target_size, options.target_size_weight);
   for (const Eigen::Matrix2d& metric : options.target_metric)
     if (!metric.isZero(0) && (!metric.allFinite() || metric(0, 1) != metric(1, 0) || !(metric(0, 0) > 0) ||
                               !(metric.determinant() > 0) || !std::isfinite(1 / metric.determinant())))
@@ -58,15 +38,7 @@ inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges
                                    std::to_string(metric(0, 1)) + "; " + std::to_string(metric(1, 0)) + ", " +
                                    std::to_string(metric(1, 1)) +
                                    "); metrics must be symmetric and positive definite (zero for no target)");
-  if (!(options.target_size_weight >= 0))
-    throw Invalid_argument_error("the weight of target sizes must not be negative");
-  const Melt_and_freeze_schedule& schedule = options.schedule;
-  if (options.starts < 0 || options.threads < 0)
-    throw Invalid_argument_error("the numbers of starts and of threads must not be negative");
-  if (!(schedule.smooth_epsilon > 0) || !(schedule.final_epsilon > 0) || schedule.coarse_triangles < 1 ||
-      !(schedule.melt_epsilon >= schedule.final_epsilon) || !(schedule.freeze_ratio > 1) || !(schedule.noise >= 0))
-    throw Invalid_argument_error("the melt-and-freeze schedule needs positive epsilons that do not increase, a ratio "
-                                 "above 1, a noise that is not negative and a positive number of triangles");
+  check_schedule(options.schedule, options.starts, options.threads);
 }
 
 /// One frame per face from the mean of its corners' coefficients; planar-2, section 7.1. Empty if a size is not
@@ -77,7 +49,7 @@ inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges
 template <int N>
 std::vector<Orthogonal_frame_2> face_frames(const Field_elements<N>& elements, const Eigen::VectorXd& x)
 {
-  std::vector<typename Field_elements<N>::Coefficients> q(elements.number_of_vertices());
+  std::vector<typename Field_elements<N>::Coefficients> q(elements.number_of_nodes());
   for (std::size_t v = 0; v < q.size(); ++v)
     q[v] = elements.coefficients(v, x);
   std::vector<Orthogonal_frame_2> frames(elements.number_of_elements());
@@ -129,7 +101,7 @@ public:
     m_result.energy = chosen.energy;
     m_result.energy_lie = chosen.energy_lie;
     m_result.energy_odeco = chosen.energy_odeco;
-    for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v)
+    for (std::size_t v = 0; v < m_elements.number_of_nodes(); ++v)
       m_result.harmonics.push_back(
           m_position.original_harmonics(Tensor_coefficients<N>::harmonics(m_elements.coefficients(v, x))));
     m_result.seconds = stopwatch.seconds();
@@ -137,6 +109,8 @@ public:
   }
 
 private:
+  using Hierarchy = Field_hierarchy<Planar_level<N>>;
+
   void compute_starts(const Field_solver<N>& analyzed)
   {
     const bool melts = m_options.integrable && m_options.solver == Field_solver_kind::levenberg_marquardt;
@@ -145,10 +119,13 @@ private:
     m_fields.resize(m_result.starts.size());
     compute_smooth_and_relaxed_starts(analyzed);
     if (n_melted > 0) {
-      const Field_hierarchy<N> hierarchy(m_mesh, m_elements, m_options.schedule, m_options.threads, m_options.observer,
-                                         m_options.target_size_weight);
-      // A factor of 400,000 triangles takes about a gigabyte, so beyond that starts take turns and share the threads.
-      const int at_once = int(std::clamp<std::size_t>(400000 / m_elements.number_of_elements(), 1, 1000));
+      const Hierarchy hierarchy(m_mesh, m_elements, m_options.schedule,
+                                [this](const Planar_level<N>& level, const Melt_and_freeze_schedule& schedule) {
+                                  return std::make_unique<Field_solver<N>>(
+                                      level.elements, schedule, m_options.threads, m_options.observer,
+                                      Field_solver_kind::levenberg_marquardt, m_options.target_size_weight);
+                                });
+      const int at_once = int(std::clamp<std::size_t>(triangles_at_once / m_elements.number_of_elements(), 1, 1000));
       const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
       parallel_for(
           std::size_t(n_melted), start_threads,
@@ -164,7 +141,7 @@ private:
     const Stopwatch watch;
     Field_solver<N> solver(analyzed, m_options.threads);
     m_fields.emplace_back(Eigen::VectorXd::Zero(Eigen::Index(m_elements.number_of_unknowns())));
-    for (std::size_t v = 0; v < m_elements.number_of_vertices(); ++v)
+    for (std::size_t v = 0; v < m_elements.number_of_nodes(); ++v)
       m_elements.assign_coefficients(
           v, Tensor_coefficients<N>::from_harmonics(m_position.harmonics(m_options.initial_field[v])), m_fields[0]);
     if (m_options.integrable)
@@ -280,7 +257,7 @@ private:
   {
     Field_solver<N> solver(analyzed, m_options.threads);
     const Stopwatch smooth_watch;
-    m_fields[0] = solver.smooth_field(1);
+    m_fields[0] = solver.smooth_field();
     Field_start start;
     start.iterations = solver.iterations();
     finish_start(0, start, solver, smooth_watch);
@@ -295,8 +272,7 @@ private:
     finish_start(1, start, solver, relaxed_watch);
   }
 
-  void compute_melted_start(std::size_t i, const Field_solver<N>& analyzed, int threads,
-                            const Field_hierarchy<N>& hierarchy)
+  void compute_melted_start(std::size_t i, const Field_solver<N>& analyzed, int threads, const Hierarchy& hierarchy)
   {
     const Stopwatch watch;
     Field_solver<N> solver(analyzed, threads);
@@ -332,16 +308,9 @@ private:
 
   void choose_start()
   {
-    const Field_start* best = nullptr;
-    for (const Field_start& start : m_result.starts) {
+    m_result.chosen = best_start(m_result.starts);
+    for (const Field_start& start : m_result.starts)
       m_result.iterations += start.iterations;
-      if (start.valid && (!best || best->kind == Field_start::Kind::smooth || start.cost < best->cost))
-        best = &start;
-    }
-    if (!best)
-      throw No_result_error("field", "no start led to a frame field with positive sizes everywhere; prescribe sizes "
-                                     "that change more slowly, or use smaller triangles");
-    m_result.chosen = int(best - m_result.starts.data());
   }
 
   double size_deviation(const Eigen::VectorXd& x) const
@@ -352,7 +321,7 @@ private:
       const auto& element = m_elements.element(f);
       double log_ratio = 0.5 * std::log(frames[f].size_u * frames[f].size_v);
       for (const int v : element.vertex)
-        log_ratio -= m_elements.expected_log_size(std::size_t(v)) / 3;
+        log_ratio -= m_elements.expected_log_value(std::size_t(v)) / 3;
       sum += element.area * log_ratio * log_ratio;
     }
     return sum / m_elements.total_area();

@@ -5,23 +5,32 @@
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_TRIANGLE_ENERGY_H
 
 #include <Quadrille/Element_least_squares.h>
-#include <Quadrille/Odeco_frame_field/internal/Field_elements.h>
-#include <Quadrille/Odeco_frame_field/internal/Field_residuals.h>
+#include <Quadrille/Support/internal/Pack.h>
+#include <Quadrille/Support/internal/Tuple.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
 
 namespace Quadrille {
 namespace internal {
 
-/// Makes a `LeastSquaresTerm` of an energy of a field. `Energy` derives from it and has
+/// Makes a `LeastSquaresTerm` of an energy of a field. `Elements` are those of a planar field (`Field_elements`) or of
+/// one on a surface (`Surface_elements`). `Energy` derives from it and has
 ///
-///     template <class S, class Rows> bool add_rows(const Triangle_values<S, N>& triangle, Rows& rows) const;
+///     template <class S, class Rows> bool add_rows(const Elements::Triangle<S>& triangle, Rows& rows) const;
 ///
 /// which hands over `rows_per_triangle` rows, or returns `false` outside the energy's domain.
-template <class Energy, int N, int rows_per_triangle> class Triangle_energy {
+template <class Energy, class Elements, int rows_per_triangle> class Triangle_energy {
+  static constexpr int N = Elements::number_of_coefficients;
+
 public:
-  static constexpr int max_unknowns = 3 * N;
+  using Field = Elements;
+  static constexpr int max_unknowns = Elements::max_unknowns;
   static constexpr int max_residuals = rows_per_triangle;
   static constexpr int batch_size = Pack::size;
-  using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
+  using Unknowns = typename Elements::Unknowns;
   using Residuals = Eigen::Matrix<double, max_residuals, 1>;
   using Jacobian = Eigen::Matrix<double, max_residuals, max_unknowns>;
   using Contribution = Element_contribution<max_unknowns>;
@@ -34,16 +43,16 @@ public:
 
   bool evaluate(std::size_t e, const Unknowns& x, Residuals& r, Jacobian* J) const
   {
-    Triangle_values<double, N> triangle;
+    typename Elements::template Triangle<double> triangle;
     m_elements->load(e, 1, &x, triangle);
     if (!J) {
-      Value_rows<double, N, max_residuals> rows(triangle);
+      typename Elements::template Value_rows<double, max_residuals> rows(triangle);
       if (!energy().add_rows(triangle, rows))
         return false;
       r = Eigen::Map<const Residuals>(rows.values().values);
       return true;
     }
-    Jacobian_rows<double, N, max_residuals> rows(triangle);
+    typename Elements::template Jacobian_rows<double, max_residuals> rows(triangle);
     if (!energy().add_rows(triangle, rows))
       return false;
     r = Eigen::Map<const Residuals>(rows.values().values);
@@ -56,10 +65,10 @@ public:
 
   bool evaluate_batch(std::size_t first, int count, const Unknowns* x, Detail detail, Contribution* results) const
   {
-    Triangle_values<Pack, N> triangle;
+    typename Elements::template Triangle<Pack> triangle;
     m_elements->load(first, count, x, triangle);
     if (detail == Detail::energy) {
-      Value_rows<Pack, N, max_residuals> rows(triangle);
+      typename Elements::template Value_rows<Pack, max_residuals> rows(triangle);
       if (!energy().add_rows(triangle, rows))
         return false;
       const Pack twice_energy = dot(rows.values(), rows.values());
@@ -68,13 +77,13 @@ public:
       return true;
     }
     if (detail == Detail::gradient) {
-      Gradient_rows<Pack, N> rows(triangle);
+      typename Elements::template Gradient_rows<Pack> rows(triangle);
       if (!energy().add_rows(triangle, rows))
         return false;
       keep_gradients(first, count, rows, results);
       return true;
     }
-    Normal_rows<Pack, N> rows(triangle);
+    typename Elements::template Normal_rows<Pack> rows(triangle);
     if (!energy().add_rows(triangle, rows))
       return false;
     keep_gradients(first, count, rows, results);
@@ -84,9 +93,9 @@ public:
   }
 
 protected:
-  explicit Triangle_energy(const Field_elements<N>& elements) : m_elements(&elements) {}
+  explicit Triangle_energy(const Elements& elements) : m_elements(&elements) {}
 
-  const Field_elements<N>& elements() const { return *m_elements; }
+  const Elements& elements() const { return *m_elements; }
 
 private:
   const Energy& energy() const { return static_cast<const Energy&>(*this); }
@@ -108,7 +117,7 @@ private:
     }
   }
 
-  void keep_matrix(std::size_t e, int lane, const typename Normal_rows<Pack, N>::Matrix& matrix,
+  void keep_matrix(std::size_t e, int lane, const typename Elements::template Normal_rows<Pack>::Matrix& matrix,
                    Contribution& result) const
   {
     for (int j = 0; j < max_unknowns; ++j)
@@ -124,7 +133,7 @@ private:
     m_elements->restrict_columns(e, transposed, result.matrix);
   }
 
-  const Field_elements<N>* m_elements;
+  const Elements* m_elements;
 };
 
 } // namespace internal

@@ -15,7 +15,7 @@ template <class S, int N> struct Triangle_values {
   Tuple<Tuple<S, 3>, 2> gradient;     ///< of the three linear shape functions, along x and y
   S root_area;                        ///< square root of the area
   S size;                             ///< local triangle size, the unit of epsilon
-  Tuple<S, 3> expected_log_size, target_weight;
+  Tuple<S, 3> expected_log_value, target_weight;
   Tuple<Tuple<Tuple<S, 4>, 3>, 3> metric_residual; ///< per corner; see `Vertex_targets`
 
   /// Mean of the coefficients at the corners.

@@ -5,7 +5,9 @@
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_VERTEX_RESTRICTIONS_H
 
 #include <Quadrille/Frame_size.h>
-#include <Quadrille/Odeco_frame_field/internal/Field_elements.h>
+#include <Quadrille/Odeco_frame_field/internal/Restricted_unknowns.h>
+#include <Quadrille/Odeco_frame_field/internal/Tensor_coefficients.h>
+#include <Quadrille/Support/internal/Indexed_triangulation.h>
 
 #include <algorithm>
 #include <array>
@@ -37,6 +39,15 @@ struct Vertex_constraint {
       greatest = n == 0 ? log_size : std::max(greatest, log_size);
       log_sum += log_size;
       ++n;
+    }
+    void add(const Vector_size& other)
+    {
+      if (other.n == 0)
+        return;
+      least = n == 0 ? other.least : std::min(least, other.least);
+      greatest = n == 0 ? other.greatest : std::max(greatest, other.greatest);
+      log_sum += other.log_sum;
+      n += other.n;
     }
     bool is_given() const { return n > 0; }
     /// Sizes that jump within one triangle would cost more than they can tell.

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_FRAME_EDGE_CONSTRAINTS_H
+#define QUADRILLE_FRAME_EDGE_CONSTRAINTS_H
+
+#include <Quadrille/Frame_size.h>
+#include <Quadrille/Odeco_frame_field/internal/vertex_restrictions.h>
+#include <Quadrille/Support/internal/Indexed_triangulation.h>
+
+#include <boost/unordered_map.hpp>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace Quadrille {
+
+/// What a constrained edge asks of the frames on it.
+struct Edge_frame_constraint {
+  bool constrained = false; ///< otherwise the rest is ignored
+  bool aligned = true;      ///< frames have one vector along the edge
+  /// Element sizes at the source and the target of `halfedge(e, mesh)`, for `e` as it stands in `edges(mesh)`, in the
+  /// mesh's unit. Where the edge is not aligned, or the field isotropic, those across and along must not differ.
+  Frame_size source_size, target_size;
+};
+
+/// The pair of gradients (du, dv) that a map should have on a face; sizes of elements are 1 / |du|, 1 / |dv|.
+using Gradient_pair = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
+
+/// Judges a candidate field, given by its gradient pairs in the order of `faces(mesh)`: lower is better. `start` is the
+/// candidate's place in the result's `starts`. Called from several threads at once.
+using Field_evaluator = std::function<double(std::size_t start, const std::vector<Gradient_pair>&)>;
+
+namespace internal {
+
+/// The constrained edges by our halfedge indices. Which halfedge an edge descriptor stands for may depend on where it
+/// comes from, so they are taken from edges(mesh).
+template <class TriangleMesh, class EdgeConstraintMap>
+std::vector<Constrained_halfedge> constrained_halfedges(const Mesh_index<TriangleMesh>& index, const TriangleMesh& mesh,
+                                                        const EdgeConstraintMap& constraints)
+{
+  boost::unordered_map<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, int> halfedge_index;
+  for (std::size_t h = 0; h < index.halfedge_of.size(); ++h)
+    halfedge_index[index.halfedge_of[h]] = int(h);
+  std::vector<Constrained_halfedge> constrained;
+  const auto all_edges = edges(mesh);
+  for (auto e = all_edges.first; e != all_edges.second; ++e) {
+    const Edge_frame_constraint constraint = get(constraints, *e);
+    if (!constraint.constrained)
+      continue;
+    const auto place = halfedge_index.find(halfedge(*e, mesh));
+    if (place != halfedge_index.end())
+      constrained.push_back({place->second, constraint.aligned, {constraint.source_size, constraint.target_size}});
+    else
+      constrained.push_back({halfedge_index.at(opposite(halfedge(*e, mesh), mesh)),
+                             constraint.aligned,
+                             {constraint.target_size, constraint.source_size}});
+  }
+  return constrained;
+}
+
+} // namespace internal
+} // namespace Quadrille
+
+#endif
