@@ -5,9 +5,9 @@
 #define QUADRILLE_PLANAR_DOMAIN_H
 
 #include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/Triangulated_domain.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <array>
 #include <map>
@@ -16,66 +16,19 @@
 
 namespace Quadrille {
 
-/// A readable property map over a vector that is indexed by a descriptor's `idx()`.
-template <class Descriptor, class Value> struct Indexed_property_map {
-  using key_type = Descriptor;
-  using value_type = Value;
-  using reference = Value;
-  using category = boost::readable_property_map_tag;
-
-  const std::vector<Value>* values = nullptr;
-
-  friend Value get(const Indexed_property_map& map, const Descriptor& d) { return (*map.values)[std::size_t(d.idx())]; }
-};
-
 /// A triangulated region of the plane with its curves, regions and their names: what a planar run starts from.
 ///
-/// The mesh is manifold, connected, positively oriented (exact predicate) and has no removed elements, so descriptors
-/// are dense indices. Made by `read_planar_domain()` or `make_planar_domain()`, which check all that.
-struct Planar_domain {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+/// Its triangles are also connected and positively oriented (exact predicate). Made by `read_planar_domain()` or
+/// `make_planar_domain()`, which check all that.
+struct Planar_domain : Triangulated_domain<CGAL::Exact_predicates_inexact_constructions_kernel::Point_2> {
   using Point_2 = Kernel::Point_2;
-  using Mesh = CGAL::Surface_mesh<Point_2>;
-  using vertex_descriptor = Mesh::Vertex_index;
-  using halfedge_descriptor = Mesh::Halfedge_index;
-  using edge_descriptor = Mesh::Edge_index;
-  using face_descriptor = Mesh::Face_index;
-
-  /// A simple path or loop of mesh edges that belongs to one curve of the input.
-  struct Curve : Entity_label {
-    std::vector<halfedge_descriptor> path; ///< consecutive, from the curve's first to its last point
-    vertex_descriptor first, last;         ///< equal when `closed`
-    bool closed = false;
-    int chain = -1;
-  };
-
-  Mesh mesh;
-  std::vector<Curve> curves;
-  std::vector<Entity_label> regions;
-  std::vector<Physical_group> groups;
-
-  std::vector<int> edge_curve;  ///< per edge: index into `curves`, -1 inside the regions; never -1 on the border
-  std::vector<int> edge_chain;  ///< per edge: the chain of its curve, -1 inside the regions
-  std::vector<int> face_region; ///< per face: index into `regions`
-  /// Chains are maximal sequences of curves with the same names that join smoothly (no corner, no third curve):
-  /// what a mesher should keep as one feature.
-  int number_of_chains = 0;
 
   /// Per edge, the unit tangents of its curve at source and target of `halfedge(edge)` (x, y, x, y); zero where they
   /// are not known. Empty for meshes taken as they are.
   std::vector<std::array<double, 4>> edge_tangents;
-  /// Per vertex, the element size that the input file prescribes there; 0 where it prescribes none.
-  std::vector<double> point_size;
 
   double z = 0;                   ///< of the plane that it lies in
-  std::string source;             ///< where it came from, for messages: usually the file name
-  double triangle_size = 0;       ///< largest triangle edge that was asked for; 0 for meshes taken as they are
   int number_of_split_chords = 0; ///< see `Planar_domain_options::split_chords`
-  std::vector<std::string> notes; ///< choices made while reading that the user should know
-
-  Indexed_property_map<edge_descriptor, int> curve_map() const { return {&edge_curve}; }
-  Indexed_property_map<edge_descriptor, int> chain_map() const { return {&edge_chain}; }
-  Indexed_property_map<face_descriptor, int> region_map() const { return {&face_region}; }
 };
 
 /// Options of `make_planar_domain()` and `read_planar_domain()`.

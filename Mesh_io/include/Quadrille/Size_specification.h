@@ -6,6 +6,9 @@
 
 #include <Quadrille/Frame_size.h>
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/Triangulated_domain.h>
+
+#include <CGAL/Surface_mesh.h>
 
 #include <array>
 #include <map>
@@ -14,7 +17,7 @@
 
 namespace Quadrille {
 
-/// Element sizes along the curves of a planar domain, in the domain's units.
+/// Element sizes along the curves of a domain, in the domain's units.
 struct Domain_sizes {
   /// Per edge of the domain's mesh: the sizes at source and target of `halfedge(edge)`; free where none is prescribed
   /// (inside the regions, and on curves that are only to be aligned with).
@@ -23,7 +26,7 @@ struct Domain_sizes {
   std::vector<std::string> notes;
 
   /// Whether the lengths of element edges on `e` are prescribed.
-  bool is_prescribed(Planar_domain::edge_descriptor e) const { return of_edge[std::size_t(e.idx())][0].tangential > 0; }
+  bool is_prescribed(CGAL::SM_Edge_index e) const { return of_edge[std::size_t(e.idx())][0].tangential > 0; }
 };
 
 /// What the user says about element sizes, in the notation of the program's option `--size`.
@@ -61,7 +64,8 @@ public:
   /// are none, they are left free if any item was given, and otherwise get the bounding box's diagonal / 40.
   /// \throws Invalid_argument_error if a name does not exist in `domain` (listing those that do), if A and B differ on
   /// a closed or branching curve, or if two items give the same curve different sizes.
-  Domain_sizes apply(const Planar_domain& domain) const;
+  /// Complexity: O(n log n) in the number of curves and edges.
+  template <class Point> Domain_sizes apply(const Triangulated_domain<Point>& domain) const;
 
 private:
   struct Item {

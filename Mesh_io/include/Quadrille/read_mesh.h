@@ -11,7 +11,7 @@
 
 namespace Quadrille {
 
-/// Reads the polygons, lines and labels of a mesh file, `.msh .vtk .obj .off .ply .stl`, as they are: nothing is
+/// Reads the polygons, lines and labels of a mesh file, `.msh .vtk .obj .off .ply .stl .mesh`, as they are: nothing is
 /// checked but the file itself. `isolate` and `time_limit_seconds` as in `Planar_domain_options`.
 ///
 /// \throws Invalid_input_error naming the file, the place in it and the reason.

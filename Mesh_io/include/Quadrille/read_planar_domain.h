@@ -17,9 +17,9 @@ namespace Quadrille {
 ///   surfaces, only they belong to the domain. The triangulation is the same on every run; mesh-size settings in the
 ///   file do not influence it, except that small sizes at points make it finer there, at most by two. Those sizes are
 ///   kept in `Planar_domain::point_size`.
-/// * Triangle meshes, `.msh .obj .off .vtk .ply .stl`: taken as they are, but for chords
+/// * Triangle meshes, `.msh .obj .off .vtk .ply .stl .mesh`: taken as they are, but for chords
 ///   (`Planar_domain_options::split_chords`). `.msh` brings curves, regions and physical groups along; line elements
-///   of `.msh`, `.vtk` and `.obj` mark feature edges.
+///   of `.msh`, `.vtk`, `.obj` and `.mesh` mark feature edges.
 ///
 /// A `.geo` file is a program, which can also write files and start commands: read only those that you trust.
 ///

@@ -5,13 +5,14 @@
 #define QUADRILLE_MESH_IO_INTERNAL_CLOSED_SURFACE_H
 
 #include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/Mesh_io/internal/format_place.h>
+#include <Quadrille/Mesh_io/internal/triangulate_polygon.h>
 #include <Quadrille/exceptions.h>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/box_intersection_d.h>
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -30,14 +30,6 @@
 
 namespace Quadrille {
 namespace internal {
-
-/// A place for messages.
-template <class Point> std::string place_in_words(const Point& p)
-{
-  char text[100];
-  std::snprintf(text, sizeof text, "(%.9g, %.9g, %.9g)", double(p[0]), double(p[1]), double(p[2]));
-  return text;
-}
 
 /// The triangles of a surface, once it is certain that every edge belongs to two of them.
 ///
@@ -162,13 +154,12 @@ private:
     std::vector<Point_3> outline;
     for (const int p : corners)
       outline.push_back(m_points[std::size_t(p)]);
-    std::vector<CGAL::Triple<int, int, int>> triangles;
-    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(outline, std::back_inserter(triangles));
-    if (triangles.size() != corners.size() - 2)
+    const std::vector<std::array<int, 3>> triangles = triangulate_polygon(outline);
+    if (triangles.empty())
       fail("polygon " + std::to_string(f) + " at " + place_in_words(outline.front()) +
            " cannot be divided into triangles");
-    for (const auto& t : triangles)
-      add_triangle({corners[std::size_t(t.first)], corners[std::size_t(t.second)], corners[std::size_t(t.third)]}, f);
+    for (const std::array<int, 3>& t : triangles)
+      add_triangle({corners[std::size_t(t[0])], corners[std::size_t(t[1])], corners[std::size_t(t[2])]}, f);
   }
 
   void add_triangle(const std::array<int, 3>& t, std::size_t f)

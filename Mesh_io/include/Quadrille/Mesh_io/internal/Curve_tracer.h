@@ -4,9 +4,11 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_CURVE_TRACER_H
 #define QUADRILLE_MESH_IO_INTERNAL_CURVE_TRACER_H
 
-#include <Quadrille/Mesh_io/internal/check_triangles.h>
-#include <Quadrille/Planar_domain.h>
+#include <Quadrille/Mesh_io/internal/format_place.h>
+#include <Quadrille/Triangulated_domain.h>
+#include <Quadrille/exceptions.h>
 
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -18,22 +20,29 @@
 namespace Quadrille {
 namespace internal {
 
-/// Turns the labelled lines and the border of a domain into simple paths (`Planar_domain::curves`) and chains.
-class Curve_tracer {
+/// Turns the labelled lines and the border of a domain into simple paths (`Triangulated_domain::curves`) and chains.
+template <class Point> class Curve_tracer {
 public:
-  using Halfedge = Planar_domain::halfedge_descriptor;
-  using Vertex = Planar_domain::vertex_descriptor;
+  using Domain = Triangulated_domain<Point>;
+  using Mesh = typename Domain::Mesh;
+  using Halfedge = typename Domain::halfedge_descriptor;
+  using Vertex = typename Domain::vertex_descriptor;
 
-  Curve_tracer(const Labelled_mesh& input, const Checked_triangles& checked, double corner_degrees,
-               Planar_domain& domain)
-      : m_input(input), m_checked(checked), m_cos_corner(std::cos(corner_degrees * CGAL_PI / 180)), m_domain(domain),
-        m_mesh(domain.mesh)
+  /// \param point_of_input per point of `input`, the vertex that it became; -1 for none
+  Curve_tracer(const Labelled_mesh& input, const std::vector<int>& point_of_input, double corner_degrees,
+               Domain& domain)
+      : m_input(input), m_point_of_input(point_of_input), m_cos_corner(std::cos(corner_degrees * CGAL_PI / 180)),
+        m_domain(domain), m_mesh(domain.mesh)
   {
   }
 
-  void run()
+  /// \param unlabelled edges that lie on curves, beside the lines of the input and the border
+  void run(const std::vector<Halfedge>& unlabelled = {})
   {
     collect_lines();
+    for (const Halfedge h : unlabelled)
+      if (curve_of(h) < 0)
+        add_edge(h, unnamed_label());
     collect_unlabelled_border();
     count_degrees();
     m_visited.assign(m_mesh.number_of_edges(), 0);
@@ -50,14 +59,12 @@ private:
     m_halfedges.resize(m_input.curves.size());
     m_labels = m_input.curves;
     for (std::size_t l = 0; l < m_input.lines.size(); ++l) {
-      const int a = m_checked.point_of_input[std::size_t(m_input.lines[l][0])];
-      const int b = m_checked.point_of_input[std::size_t(m_input.lines[l][1])];
-      const Halfedge h = a < 0 || b < 0 ? Planar_domain::Mesh::null_halfedge()
-                                        : m_mesh.halfedge(Vertex(Vertex::size_type(a)), Vertex(Vertex::size_type(b)));
-      if (h == Planar_domain::Mesh::null_halfedge()) {
-        const std::array<double, 3>& p = m_input.points[std::size_t(m_input.lines[l][0])];
+      const int a = m_point_of_input[std::size_t(m_input.lines[l][0])];
+      const int b = m_point_of_input[std::size_t(m_input.lines[l][1])];
+      const Halfedge h = a < 0 || b < 0 ? Mesh::null_halfedge() : m_mesh.halfedge(vertex(a), vertex(b));
+      if (h == Mesh::null_halfedge()) {
         throw Invalid_input_error(m_domain.source + ": line element " + std::to_string(l) + " (counting from 0, from " +
-                                  Triangle_checker::format_place(p[0], p[1]) +
+                                  domain_place<Point>(m_input.points[std::size_t(m_input.lines[l][0])]) +
                                   ") is not an edge of the triangles; remove it or make the mesh conform to it");
       }
       const int label = m_input.line_curve[l];
@@ -122,11 +129,11 @@ private:
   void extend(std::vector<Halfedge>& path, int label)
   {
     while (!is_path_end(m_mesh.target(path.back()), label)) {
-      Halfedge following = Planar_domain::Mesh::null_halfedge();
+      Halfedge following = Mesh::null_halfedge();
       for (const Halfedge h : CGAL::halfedges_around_source(m_mesh.target(path.back()), m_mesh))
         if (curve_of(h) == label && !m_visited[std::size_t(m_mesh.edge(h).idx())])
           following = h;
-      if (following == Planar_domain::Mesh::null_halfedge())
+      if (following == Mesh::null_halfedge())
         return;
       m_visited[std::size_t(m_mesh.edge(following).idx())] = 1;
       path.push_back(following);
@@ -165,7 +172,7 @@ private:
 
   void add_curve(int label, std::vector<Halfedge> path)
   {
-    Planar_domain::Curve curve;
+    typename Domain::Curve curve;
     static_cast<Entity_label&>(curve) = m_labels[std::size_t(label)];
     if (label == m_unnamed_label && m_unnamed_pieces++ > 0)
       curve.tag = next_tag();
@@ -214,6 +221,8 @@ private:
 
   int curve_of(Halfedge h) const { return m_domain.edge_curve[std::size_t(m_mesh.edge(h).idx())]; }
 
+  static Vertex vertex(int v) { return Vertex(typename Vertex::size_type(v)); }
+
   int next_tag()
   {
     for (const Entity_label& label : m_labels)
@@ -222,15 +231,15 @@ private:
   }
 
   const Labelled_mesh& m_input;
-  const Checked_triangles& m_checked;
+  const std::vector<int>& m_point_of_input;
   double m_cos_corner;
-  Planar_domain& m_domain;
-  Planar_domain::Mesh& m_mesh;
+  Domain& m_domain;
+  Mesh& m_mesh;
   std::vector<Entity_label> m_labels;
   std::vector<std::vector<Halfedge>> m_halfedges; ///< by label
   std::vector<int> m_degree;                      ///< constrained edges at each vertex
   std::vector<char> m_visited;                    ///< by edge
-  std::vector<std::pair<Planar_domain::edge_descriptor, int>> m_curve_of_edge;
+  std::vector<std::pair<typename Domain::edge_descriptor, int>> m_curve_of_edge;
   int m_unnamed_label = -1;
   int m_unnamed_pieces = 0;
   int m_last_tag = 0;

@@ -6,6 +6,7 @@
 
 #include <Quadrille/Curve_locator.h>
 #include <Quadrille/Mesh_io/internal/check_triangles.h>
+#include <Quadrille/Mesh_io/internal/format_place.h>
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Support/internal/segment_intersections.h>
 
@@ -52,7 +53,7 @@ private:
   std::string vertex_text(int v) const
   {
     return "vertex " + std::to_string(v) + " at " +
-           Triangle_checker::format_place(m_points[std::size_t(v)].x(), m_points[std::size_t(v)].y());
+           format_place(m_points[std::size_t(v)].x(), m_points[std::size_t(v)].y());
   }
 
   bool check_coordinates()

@@ -8,6 +8,9 @@
 #include <Quadrille/domain_curves.h>
 #include <Quadrille/exceptions.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -52,6 +55,18 @@ inline std::string format_number(double value)
   return text;
 }
 
+template <class Kernel> double length_of(const CGAL::Vector_2<Kernel>& v) { return std::hypot(v.x(), v.y()); }
+template <class Kernel> double length_of(const CGAL::Vector_3<Kernel>& v) { return std::hypot(v.x(), v.y(), v.z()); }
+
+inline double diagonal_of(const CGAL::Bbox_2& box)
+{
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+}
+inline double diagonal_of(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
 /// Curves that join end to end, with the direction in which each is passed.
 struct Curve_sequence {
   std::vector<std::pair<int, bool>> curves; ///< index, forward
@@ -59,10 +74,12 @@ struct Curve_sequence {
 };
 
 /// Arranges some curves of a domain in sequences. \returns false if more than two of them meet in a point.
-inline bool arrange_in_sequences(const Planar_domain& domain, const std::vector<int>& curves,
-                                 std::vector<Curve_sequence>& sequences)
+template <class Point>
+bool arrange_in_sequences(const Triangulated_domain<Point>& domain, const std::vector<int>& curves,
+                          std::vector<Curve_sequence>& sequences)
 {
-  using Vertex = Planar_domain::vertex_descriptor;
+  using Domain = Triangulated_domain<Point>;
+  using Vertex = typename Domain::vertex_descriptor;
   std::map<Vertex, std::vector<int>> curves_at;
   for (const int c : curves) {
     curves_at[domain.curves[std::size_t(c)].first].push_back(c);
@@ -86,7 +103,7 @@ inline bool arrange_in_sequences(const Planar_domain& domain, const std::vector<
         if (next == incident.end())
           return at;
         done.insert(*next);
-        const Planar_domain::Curve& curve = domain.curves[std::size_t(*next)];
+        const typename Domain::Curve& curve = domain.curves[std::size_t(*next)];
         const bool leaves = curve.first == at;
         if (ahead)
           sequence.curves.emplace_back(*next, leaves);
@@ -105,9 +122,11 @@ inline bool arrange_in_sequences(const Planar_domain& domain, const std::vector<
 }
 
 /// Writes sizes edge by edge.
-class Size_setter {
+template <class Point> class Size_setter {
 public:
-  Size_setter(const Planar_domain& domain, Domain_sizes& sizes) : m_domain(domain), m_sizes(sizes) {}
+  using Domain = Triangulated_domain<Point>;
+
+  Size_setter(const Domain& domain, Domain_sizes& sizes) : m_domain(domain), m_sizes(sizes) {}
 
   /// From `first` to `last`, linear in the arc length of the whole sequence.
   void set_linear(const Curve_sequence& sequence, const Frame_size& first, const Frame_size& last)
@@ -139,20 +158,19 @@ public:
   }
 
 private:
-  void set(Planar_domain::halfedge_descriptor h, const Frame_size& at_source, const Frame_size& at_target)
+  void set(typename Domain::halfedge_descriptor h, const Frame_size& at_source, const Frame_size& at_target)
   {
     // The halfedge of `mesh.edge(h)` is `h`; sizes follow those of the edges as `mesh.edges()` has them.
-    const Planar_domain::edge_descriptor e(m_domain.mesh.edge(h).idx());
+    const typename Domain::edge_descriptor e(m_domain.mesh.edge(h).idx());
     std::array<Frame_size, 2>& size = m_sizes.of_edge[std::size_t(e.idx())];
     size = {at_source, at_target};
     if (m_domain.mesh.halfedge(e) != h)
       std::swap(size[0], size[1]);
   }
 
-  double edge_length(Planar_domain::halfedge_descriptor h) const
+  double edge_length(typename Domain::halfedge_descriptor h) const
   {
-    const auto d = m_domain.mesh.point(m_domain.mesh.target(h)) - m_domain.mesh.point(m_domain.mesh.source(h));
-    return std::hypot(d.x(), d.y());
+    return length_of(m_domain.mesh.point(m_domain.mesh.target(h)) - m_domain.mesh.point(m_domain.mesh.source(h)));
   }
   double curve_length(int c) const
   {
@@ -162,20 +180,20 @@ private:
     return length;
   }
 
-  const Planar_domain& m_domain;
+  const Domain& m_domain;
   Domain_sizes& m_sizes;
 };
 
 /// Whether a name is that of a physical group of curves; otherwise it can only be a tag.
-inline bool is_group_of_curves(const Planar_domain& domain, const std::string& name)
+template <class Point> bool is_group_of_curves(const Triangulated_domain<Point>& domain, const std::string& name)
 {
-  return std::any_of(domain.curves.begin(), domain.curves.end(), [&](const Planar_domain::Curve& curve) {
+  return std::any_of(domain.curves.begin(), domain.curves.end(), [&](const Entity_label& curve) {
     return std::find(curve.names.begin(), curve.names.end(), name) != curve.names.end();
   });
 }
 
 /// Sizes that the file gives at points, along curves that have one at both ends.
-inline int apply_point_sizes(const Planar_domain& domain, Size_setter& setter)
+template <class Point> int apply_point_sizes(const Triangulated_domain<Point>& domain, Size_setter<Point>& setter)
 {
   int n = 0;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
@@ -189,12 +207,12 @@ inline int apply_point_sizes(const Planar_domain& domain, Size_setter& setter)
   return n;
 }
 
-inline double default_size(const Planar_domain& domain)
+template <class Point> double default_size(const Triangulated_domain<Point>& domain)
 {
-  CGAL::Bbox_2 box;
+  decltype(domain.mesh.point({}).bbox()) box;
   for (const auto v : domain.mesh.vertices())
     box += domain.mesh.point(v).bbox();
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin()) / 40;
+  return diagonal_of(box) / 40;
 }
 
 } // namespace internal
@@ -242,11 +260,11 @@ inline std::map<std::string, double> Size_specification::thin_curves() const
   return result;
 }
 
-inline Domain_sizes Size_specification::apply(const Planar_domain& domain) const
+template <class Point> Domain_sizes Size_specification::apply(const Triangulated_domain<Point>& domain) const
 {
   Domain_sizes sizes;
   sizes.of_edge.resize(domain.mesh.number_of_edges());
-  internal::Size_setter setter(domain, sizes);
+  internal::Size_setter<Point> setter(domain, sizes);
 
   const Item* everywhere = nullptr;
   for (const Item& item : m_items)

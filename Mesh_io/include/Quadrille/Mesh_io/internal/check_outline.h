@@ -7,6 +7,7 @@
 #include <Quadrille/Mesh_io/internal/Outline.h>
 #include <Quadrille/Mesh_io/internal/Segment_mesher.h>
 #include <Quadrille/Mesh_io/internal/check_triangles.h>
+#include <Quadrille/Mesh_io/internal/format_place.h>
 #include <Quadrille/Support/internal/segment_intersections.h>
 
 #include <array>
@@ -54,7 +55,7 @@ private:
 
   std::string tag(int curve) const { return std::to_string(m_outline.curves[std::size_t(curve)].label.tag); }
 
-  static std::string place(const Point_2& p) { return Triangle_checker::format_place(p.x(), p.y()); }
+  static std::string place(const Point_2& p) { return format_place(p.x(), p.y()); }
 
   /// The border passes through each of its points once.
   void check_border_is_manifold() const

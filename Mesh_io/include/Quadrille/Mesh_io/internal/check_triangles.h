@@ -5,6 +5,7 @@
 #define QUADRILLE_MESH_IO_INTERNAL_CHECK_TRIANGLES_H
 
 #include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/Mesh_io/internal/format_place.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 #include <Quadrille/Support/internal/segment_intersections.h>
 #include <Quadrille/exceptions.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -212,20 +212,6 @@ private:
   std::string place(int v) const { return format_place(point(v).x(), point(v).y()); }
 
 public:
-  static std::string format_place(double x, double y)
-  {
-    char text[64];
-    std::snprintf(text, sizeof text, "(%.6g, %.6g)", x, y);
-    return text;
-  }
-
-  static std::string format_value(double x)
-  {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", x);
-    return text;
-  }
-
   /// How far z may vary, relative to the extent in x and y: rounding of files with nine digits.
   static constexpr double planarity_tolerance = 1e-9;
 

@@ -16,11 +16,11 @@
 
 namespace Quadrille {
 
-inline std::vector<int> curves_named(const Planar_domain& domain, const std::string& name)
+template <class Point> std::vector<int> curves_named(const Triangulated_domain<Point>& domain, const std::string& name)
 {
   std::vector<int> by_name, by_tag;
   for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-    const Planar_domain::Curve& curve = domain.curves[c];
+    const Entity_label& curve = domain.curves[c];
     if (std::find(curve.names.begin(), curve.names.end(), name) != curve.names.end())
       by_name.push_back(int(c));
     if (std::to_string(curve.tag) == name)
@@ -29,11 +29,11 @@ inline std::vector<int> curves_named(const Planar_domain& domain, const std::str
   return by_name.empty() ? by_tag : by_name;
 }
 
-inline std::string list_of_curve_names(const Planar_domain& domain)
+template <class Point> std::string list_of_curve_names(const Triangulated_domain<Point>& domain)
 {
   std::set<std::string> names;
   std::set<int> tags;
-  for (const Planar_domain::Curve& curve : domain.curves) {
+  for (const Entity_label& curve : domain.curves) {
     names.insert(curve.names.begin(), curve.names.end());
     tags.insert(curve.tag);
   }
@@ -52,14 +52,15 @@ inline std::string list_of_curve_names(const Planar_domain& domain)
   return text;
 }
 
-inline void remove_curves(Planar_domain& domain, const std::vector<int>& curves)
+template <class Point> void remove_curves(Triangulated_domain<Point>& domain, const std::vector<int>& curves)
 {
+  using Domain = Triangulated_domain<Point>;
   std::vector<int> new_index(domain.curves.size(), 0);
   for (const int c : curves) {
-    const Planar_domain::Curve& curve = domain.curves[std::size_t(c)];
+    const typename Domain::Curve& curve = domain.curves[std::size_t(c)];
     for (const auto h : curve.path) {
       const auto f = domain.mesh.face(h), g = domain.mesh.face(domain.mesh.opposite(h));
-      const bool is_border = f == Planar_domain::Mesh::null_face() || g == Planar_domain::Mesh::null_face();
+      const bool is_border = f == Domain::Mesh::null_face() || g == Domain::Mesh::null_face();
       if (is_border || domain.face_region[std::size_t(f.idx())] != domain.face_region[std::size_t(g.idx())])
         throw Invalid_argument_error("curve " + std::to_string(curve.tag) + " of " + domain.source + " is " +
                                      (is_border ? "on the border" : "between two regions") +
@@ -67,7 +68,7 @@ inline void remove_curves(Planar_domain& domain, const std::vector<int>& curves)
     }
     new_index[std::size_t(c)] = -1;
   }
-  std::vector<Planar_domain::Curve> left;
+  std::vector<typename Domain::Curve> left;
   for (std::size_t c = 0; c < new_index.size(); ++c)
     if (new_index[c] >= 0) {
       new_index[c] = int(left.size());

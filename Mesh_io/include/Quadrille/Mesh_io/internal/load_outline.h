@@ -7,7 +7,7 @@
 #include <Quadrille/Mesh_io/internal/Gmsh_session.h>
 #include <Quadrille/Mesh_io/internal/Outline.h>
 #include <Quadrille/Mesh_io/internal/check_triangles.h>
-#include <Quadrille/Mesh_io/internal/open_geometry.h>
+#include <Quadrille/Mesh_io/internal/format_place.h>
 #include <Quadrille/Mesh_io/internal/point_sizes.h>
 
 #include <algorithm>
@@ -21,14 +21,13 @@
 namespace Quadrille {
 namespace internal {
 
-/// Reads a geometry file into an `Outline`. The Gmsh session has to outlive it: curves are evaluated later, too.
+/// Reads Gmsh's current model into an `Outline`. The Gmsh session has to outlive it: curves are evaluated later, too.
 class Outline_loader {
 public:
   explicit Outline_loader(const std::string& path) : m_path(path) {}
 
-  Outline load(const Gmsh_session& session)
+  Outline load()
   {
-    open_geometry(m_path, session);
     Gmsh_session::call(m_path, [&] {
       add_surfaces();
       sample_curves();
@@ -297,8 +296,7 @@ private:
         if (n % 2 == 1) {
           const Outline::Point& point = m_outline.points[std::size_t(p)];
           fail("the outline of surface " + std::to_string(surface.label.tag) + " is open at point " +
-               std::to_string(point.tag) + ", " +
-               Triangle_checker::format_place(point.position.x(), point.position.y()) +
+               std::to_string(point.tag) + ", " + format_place(point.position.x(), point.position.y()) +
                ": a curve ends there and none goes on");
         }
     }

@@ -80,6 +80,8 @@ inline Labelled_mesh parse_off(const std::string& text, const std::string& path)
   if (word != "OFF" && word != "COFF")
     scanner.fail("the file does not begin with OFF");
   word = scanner.word_on_line();
+  if (word == "BINARY")
+    scanner.fail("binary OFF files are not read, since their byte order is not told; save the mesh as text");
   if (word.empty() || word.front() == '#') {
     scanner.rest_of_line();
     word = scanner.first_word_of_line();

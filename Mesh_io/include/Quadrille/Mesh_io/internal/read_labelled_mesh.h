@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_READ_LABELLED_MESH_H
 #define QUADRILLE_MESH_IO_INTERNAL_READ_LABELLED_MESH_H
 
+#include <Quadrille/Mesh_io/internal/parse_medit.h>
 #include <Quadrille/Mesh_io/internal/parse_obj_off.h>
 #include <Quadrille/Mesh_io/internal/parse_vtk.h>
 #include <Quadrille/Mesh_io/internal/read_msh.h>
@@ -47,6 +48,14 @@ inline Labelled_mesh read_by_cgal(const std::string& path, bool is_stl)
   return mesh;
 }
 
+/// \throws Invalid_argument_error if a triangle size is asked for, although the file has triangles
+inline void check_triangle_size_of_mesh(double triangle_size, const std::string& path)
+{
+  if (triangle_size > 0)
+    throw Invalid_argument_error(path + ": a triangle size is only for geometry files; the triangles of a mesh file "
+                                        "are taken as they are");
+}
+
 /// A mesh file of any kind that we read, told by its extension. \throws Invalid_input_error, Invalid_argument_error
 inline Labelled_mesh read_labelled_mesh(const std::string& path, bool isolate, double time_limit_seconds)
 {
@@ -56,6 +65,13 @@ inline Labelled_mesh read_labelled_mesh(const std::string& path, bool isolate, d
     return parse_obj(read_whole_file(path), path);
   if (extension == ".off")
     return parse_off(read_whole_file(path), path);
+  if (extension == ".mesh") {
+    Volume_content content = Medit_parser(read_whole_file(path), path).parse();
+    if (!content.volume.tetrahedra.empty())
+      throw Invalid_input_error(path + ": the file holds " + std::to_string(content.volume.tetrahedra.size()) +
+                                " tetrahedra where a mesh of polygons is needed");
+    return std::move(content.surface);
+  }
   if (extension == ".vtk")
     return vtk_polygons(Vtk_parser(read_whole_file(path), path).parse(), path);
   const auto isolated = [&](const auto& function) {
@@ -67,7 +83,7 @@ inline Labelled_mesh read_labelled_mesh(const std::string& path, bool isolate, d
     return isolated([&] { return read_by_cgal(path, extension == ".stl"); });
   throw Invalid_input_error(path + ": unknown format '" + extension +
                             "'; known are geometry (.geo .step .stp .brep .iges .igs) and meshes (.msh .obj .off .vtk "
-                            ".ply .stl)");
+                            ".ply .stl .mesh)");
 }
 
 } // namespace internal

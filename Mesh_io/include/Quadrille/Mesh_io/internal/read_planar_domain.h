@@ -5,6 +5,7 @@
 #define QUADRILLE_MESH_IO_INTERNAL_READ_PLANAR_DOMAIN_H
 
 #include <Quadrille/Mesh_io/internal/files.h>
+#include <Quadrille/Mesh_io/internal/open_geometry.h>
 #include <Quadrille/Mesh_io/internal/read_labelled_mesh.h>
 #include <Quadrille/Mesh_io/internal/run_in_child_process.h>
 #include <Quadrille/Mesh_io/internal/triangulate_geometry.h>
@@ -26,13 +27,10 @@ inline void check_options(const Planar_domain_options& options)
     throw Invalid_argument_error("an option of reading planar domains is out of range");
 }
 
-inline Planar_domain read_geometry_domain(const std::string& path, const Planar_domain_options& options)
+/// A planar domain of what became of a geometry file.
+inline Planar_domain geometry_domain(const Geometry_triangulation& result, const std::string& path,
+                                     const Planar_domain_options& options)
 {
-  const auto triangulate = [&] { return triangulate_geometry(path, options); };
-  const Geometry_triangulation result =
-      options.isolate_geometry_kernel
-          ? run_in_child_process<Geometry_triangulation>(triangulate, options.time_limit_seconds, path)
-          : triangulate();
   Planar_domain domain = make_planar_domain(result.mesh, path, options);
   domain.triangle_size = result.triangle_size;
   // Points that no triangle uses are left out of the domain, the order of the others stays.
@@ -61,6 +59,30 @@ inline Planar_domain read_geometry_domain(const std::string& path, const Planar_
   return domain;
 }
 
+inline Planar_domain read_geometry_domain(const std::string& path, const Planar_domain_options& options)
+{
+  const auto triangulate = [&] {
+    const Gmsh_session session;
+    open_geometry(path, session);
+    return triangulate_geometry(path, options);
+  };
+  return geometry_domain(options.isolate_geometry_kernel ? run_in_child_process<Geometry_triangulation>(
+                                                               triangulate, options.time_limit_seconds, path)
+                                                         : triangulate(),
+                         path, options);
+}
+
+/// A planar domain of what a mesh file holds.
+inline Planar_domain mesh_domain(const Labelled_mesh& mesh, const std::string& path,
+                                 const Planar_domain_options& options)
+{
+  Planar_domain domain = make_planar_domain(mesh, path, options);
+  if (domain.number_of_split_chords > 0)
+    domain.notes.push_back(std::to_string(domain.number_of_split_chords) +
+                           " inner edges of the triangles, between two points of curves, were split");
+  return domain;
+}
+
 } // namespace internal
 
 inline Planar_domain read_planar_domain(const std::string& path, const Planar_domain_options& options)
@@ -69,15 +91,9 @@ inline Planar_domain read_planar_domain(const std::string& path, const Planar_do
   internal::check_readable(path);
   if (internal::is_geometry_file(path))
     return internal::read_geometry_domain(path, options);
-  if (options.triangle_size > 0)
-    throw Invalid_argument_error(path + ": a triangle size is only for geometry files; the triangles of a mesh file "
-                                        "are taken as they are");
-  Planar_domain domain = make_planar_domain(
+  internal::check_triangle_size_of_mesh(options.triangle_size, path);
+  return internal::mesh_domain(
       internal::read_labelled_mesh(path, options.isolate_geometry_kernel, options.time_limit_seconds), path, options);
-  if (domain.number_of_split_chords > 0)
-    domain.notes.push_back(std::to_string(domain.number_of_split_chords) +
-                           " inner edges of the triangles, between two points of curves, were split");
-  return domain;
 }
 
 } // namespace Quadrille

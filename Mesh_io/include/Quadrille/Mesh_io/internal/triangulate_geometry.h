@@ -103,7 +103,7 @@ inline double default_triangle_size(const Outline& outline)
   return std::sqrt(covered_region(outline).area() / (950 * (1 + 0.25 * std::clamp(n_outlines - 2, 0, 12))));
 }
 
-/// A geometry file as labelled triangles. \throws Invalid_input_error
+/// Gmsh's current model, which is that of a planar geometry file, as labelled triangles. \throws Invalid_input_error
 inline Geometry_triangulation triangulate_geometry(const std::string& path, const Planar_domain_options& options)
 {
   Geometry_triangulation result;
@@ -112,31 +112,27 @@ inline Geometry_triangulation triangulate_geometry(const std::string& path, cons
   std::optional<Unit_frame> frame;
   std::optional<Triangle_size_field> field;
   const Outline_checker checker(outline, path);
-  {
-    const Gmsh_session session;
-    outline = Outline_loader(path).load(session);
-    checker.check_ends_and_straight_curves();
-    frame.emplace(outline);
-    unit = frame->to_unit(outline);
-    if (!(covered_region(unit).area() > 0))
-      throw Invalid_input_error(path + ": the curves enclose no area");
-    const double size =
-        options.triangle_size > 0 ? options.triangle_size / frame->extent() : default_triangle_size(unit);
-    result.triangle_size = options.triangle_size > 0 ? options.triangle_size : size * frame->extent();
-    if (options.refine_locally) {
-      Planar_domain_options unit_options = options;
-      for (auto& [name, curve_size] : unit_options.curve_triangle_size)
-        curve_size /= frame->extent();
-      Triangle_size_estimator estimator(unit, unit_options, size);
-      field = estimator.estimate();
-      if (estimator.coarsened())
-        result.notes.push_back("details and gaps are too small for " + std::to_string(options.max_triangles) +
-                               " triangles and not fully resolved; a smaller triangle size allows more");
-    } else {
-      field = Triangle_size_field(size, options.size_gradation, {});
-    }
-    Gmsh_session::call(path, [&] { segmented = segment_outline(outline, unit, *field); });
+  outline = Outline_loader(path).load();
+  checker.check_ends_and_straight_curves();
+  frame.emplace(outline);
+  unit = frame->to_unit(outline);
+  if (!(covered_region(unit).area() > 0))
+    throw Invalid_input_error(path + ": the curves enclose no area");
+  const double size = options.triangle_size > 0 ? options.triangle_size / frame->extent() : default_triangle_size(unit);
+  result.triangle_size = options.triangle_size > 0 ? options.triangle_size : size * frame->extent();
+  if (options.refine_locally) {
+    Planar_domain_options unit_options = options;
+    for (auto& [name, curve_size] : unit_options.curve_triangle_size)
+      curve_size /= frame->extent();
+    Triangle_size_estimator estimator(unit, unit_options, size);
+    field = estimator.estimate();
+    if (estimator.coarsened())
+      result.notes.push_back("details and gaps are too small for " + std::to_string(options.max_triangles) +
+                             " triangles and not fully resolved; a smaller triangle size allows more");
+  } else {
+    field = Triangle_size_field(size, options.size_gradation, {});
   }
+  Gmsh_session::call(path, [&] { segmented = segment_outline(outline, unit, *field); });
   checker.check_segments(segmented, !result.notes.empty());
   result.notes.insert(result.notes.end(), outline.notes.begin(), outline.notes.end());
 

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_MESH_IO_INTERNAL_READ_DOMAIN_IMPL_H
+#define QUADRILLE_MESH_IO_INTERNAL_READ_DOMAIN_IMPL_H
+
+#include <Quadrille/Mesh_io/internal/Spatial_extent.h>
+#include <Quadrille/Mesh_io/internal/read_planar_domain.h>
+#include <Quadrille/Mesh_io/internal/read_surface_domain_impl.h>
+#include <Quadrille/read_domain.h>
+#include <Quadrille/read_planar_domain.h>
+#include <Quadrille/read_surface_domain.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace Quadrille {
+
+inline bool is_planar(const Labelled_mesh& mesh)
+{
+  internal::Spatial_extent extent;
+  for (const std::vector<int>& polygon : mesh.polygons)
+    for (const int v : polygon)
+      extent.add(mesh.points[std::size_t(v)]);
+  return extent.is_flat(internal::Triangle_checker::planarity_tolerance);
+}
+
+inline std::variant<Planar_domain, Surface_domain> read_domain(const std::string& path,
+                                                               const Planar_domain_options& planar_options,
+                                                               const Surface_domain_options& surface_options)
+{
+  internal::check_options(planar_options);
+  internal::check_options(surface_options);
+  internal::check_readable(path);
+  if (internal::is_geometry_file(path))
+    return internal::read_geometry(path, surface_options, &planar_options);
+  const Labelled_mesh mesh =
+      internal::read_labelled_mesh(path, surface_options.isolate_geometry_kernel, surface_options.time_limit_seconds);
+  if (is_planar(mesh))
+    return internal::mesh_domain(mesh, path, planar_options);
+  internal::check_triangle_size_of_mesh(surface_options.triangle_size, path);
+  return make_surface_domain(mesh, path, surface_options);
+}
+
+} // namespace Quadrille
+
+#endif
