@@ -39,6 +39,13 @@ Frame_field_topology<TriangleMesh> frame_field_topology(const TriangleMesh& mesh
                                                         FaceGradientMap gradients, EdgeConstrainedMap constrained,
                                                         MatchingMap matching);
 
+/// The same on any surface: `Traits`, a model of `TangentPlaneTraits`, knows its faces' tangent bases, in which the
+/// `gradients` are given.
+template <class TriangleMesh, class Traits, class FaceGradientMap, class EdgeConstrainedMap, class MatchingMap>
+Frame_field_topology<TriangleMesh>
+frame_field_topology_with_traits(const TriangleMesh& mesh, const Traits& traits, FaceGradientMap gradients,
+                                 EdgeConstrainedMap constrained, MatchingMap matching);
+
 } // namespace Quadrille
 
 #include <Quadrille/Seamless_parametrization/internal/frame_field_topology_impl.h>

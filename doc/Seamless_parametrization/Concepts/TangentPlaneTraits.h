@@ -2,7 +2,7 @@
 /// of every face's plane, in which vectors of the face have two coordinates, and how these bases turn from face to
 /// face.
 ///
-/// Has models: `Quadrille::Planar_tangent_traits`.
+/// Has models: `Quadrille::Planar_tangent_traits`, `Quadrille::Surface_tangent_traits`.
 class TangentPlaneTraits {
 public:
   /// The mesh's halfedges.

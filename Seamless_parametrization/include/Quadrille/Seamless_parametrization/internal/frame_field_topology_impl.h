@@ -11,13 +11,12 @@
 
 namespace Quadrille {
 
-template <class TriangleMesh, class VertexPointMap, class FaceGradientMap, class EdgeConstrainedMap, class MatchingMap>
-Frame_field_topology<TriangleMesh> frame_field_topology(const TriangleMesh& mesh, VertexPointMap points,
-                                                        FaceGradientMap gradients, EdgeConstrainedMap constrained,
-                                                        MatchingMap matching)
+template <class TriangleMesh, class Traits, class FaceGradientMap, class EdgeConstrainedMap, class MatchingMap>
+Frame_field_topology<TriangleMesh>
+frame_field_topology_with_traits(const TriangleMesh& mesh, const Traits& traits, FaceGradientMap gradients,
+                                 EdgeConstrainedMap constrained, MatchingMap matching)
 {
-  const internal::Face_graph_adaptor<TriangleMesh> input(
-      mesh, Planar_tangent_traits<TriangleMesh, VertexPointMap>(mesh, points), gradients, constrained);
+  const internal::Face_graph_adaptor<TriangleMesh> input(mesh, traits, gradients, constrained);
   const internal::Indexed_triangulation& triangulation = input.index.triangulation;
   const internal::Frame_topology topology =
       internal::Frame_topology_builder(triangulation, input.geometry, input.constrained, input.gradients)();
@@ -37,6 +36,15 @@ Frame_field_topology<TriangleMesh> frame_field_topology(const TriangleMesh& mesh
           .emplace_back(input.index.vertex_of[std::size_t(v)], index);
   }
   return result;
+}
+
+template <class TriangleMesh, class VertexPointMap, class FaceGradientMap, class EdgeConstrainedMap, class MatchingMap>
+Frame_field_topology<TriangleMesh> frame_field_topology(const TriangleMesh& mesh, VertexPointMap points,
+                                                        FaceGradientMap gradients, EdgeConstrainedMap constrained,
+                                                        MatchingMap matching)
+{
+  return frame_field_topology_with_traits(mesh, Planar_tangent_traits<TriangleMesh, VertexPointMap>(mesh, points),
+                                          gradients, constrained, matching);
 }
 
 } // namespace Quadrille
