@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "temporary_files.h"
+#include "vtu_file.h"
 
 #include <Quadrille/read_mesh.h>
 #include <Quadrille/read_planar_domain.h>
@@ -172,12 +173,19 @@ TEST_F(Mesh_files, field_and_map_files_hold_every_face_and_corner)
       read_planar_domain(write("s.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"), options);
   const std::vector<std::array<double, 2>> u(2, {3, 4}), v(2, {-8, 6});
   write_frame_field(path("f.vtu"), domain, u, v, {4, 3, 4, 5});
-  const std::string field = content(path("f.vtu"));
-  EXPECT_NE(field.find("NumberOfPoints=\"4\" NumberOfCells=\"2\""), std::string::npos);
-  EXPECT_NE(field.find("\"size_u\" NumberOfComponents=\"1\" format=\"ascii\">\n5\n5\n"), std::string::npos);
-  EXPECT_NE(field.find("\"size_v\" NumberOfComponents=\"1\" format=\"ascii\">\n10\n10\n"), std::string::npos);
-  EXPECT_NE(field.find("format=\"ascii\">\n4\n3\n4\n5\n"), std::string::npos);
-  EXPECT_THROW(write_frame_field(path("f.txt"), domain, u, v, {}), Invalid_argument_error);
+  const Vtu_file field(content(path("f.vtu")));
+  EXPECT_EQ(field.attribute("<Piece", "NumberOfPoints"), "4");
+  EXPECT_EQ(field.attribute("<Piece", "NumberOfCells"), "8"); // 2 triangles, 4 edges on curves, 2 singular vertices
+  EXPECT_EQ(field.array<std::int32_t>("dimension"), (std::vector<std::int32_t>{2, 2, 1, 1, 1, 1, 0, 0}));
+  std::vector<double> expected = {3, 4, 0, 3, 4, 0};
+  expected.resize(24, 0);
+  EXPECT_EQ(field.array<double>("u"), expected);
+  EXPECT_EQ(field.array<double>("size_u"), (std::vector<double>{5, 5, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(field.array<double>("size_v"), (std::vector<double>{10, 10, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(field.array<std::int32_t>("valence"), (std::vector<std::int32_t>{4, 3, 4, 5}));
+  EXPECT_EQ(field.array<std::int32_t>("singular"), (std::vector<std::int32_t>{0, 1, 0, 1}));
+  EXPECT_THROW(write_frame_field(path("f.txt"), domain, u, v, {4, 4, 4, 4}), Invalid_argument_error);
+  EXPECT_THROW(write_frame_field(path("f.vtu"), domain, u, v, {4, 4, 4}), Invalid_argument_error);
 
   std::vector<Planar_domain::Point_2> uv(domain.mesh.number_of_halfedges());
   for (const auto h : domain.mesh.halfedges())

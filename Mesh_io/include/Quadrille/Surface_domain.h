@@ -32,6 +32,7 @@ struct Surface_domain_options {
   bool refine_locally = true;
   double edges_per_circle = 24; ///< of curvature-based refinement
   double edges_per_curve = 3;   ///< at least, also on short curves
+  double size_gradation = 0.2;  ///< growth of the triangle size per unit of distance from curves
   /// Local refinement is reduced until there are no more triangles than this (or three times what `triangle_size` alone
   /// needs).
   int max_triangles = 40000;

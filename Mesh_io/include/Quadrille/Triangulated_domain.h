@@ -6,9 +6,11 @@
 
 #include <Quadrille/Labelled_mesh.h>
 
+#include <CGAL/Dimension.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,8 @@ template <class Descriptor, class Value> struct Indexed_property_map {
 /// The mesh is manifold, consistently oriented and has no removed elements, so descriptors are dense indices.
 /// \tparam Point `Point_2` or `Point_3` of a CGAL kernel
 template <class Point> struct Triangulated_domain {
+  static constexpr std::size_t dimension = CGAL::Ambient_dimension<Point>::value; ///< 2 or 3
+
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
   using Mesh = CGAL::Surface_mesh<Point>;
   using vertex_descriptor = typename Mesh::Vertex_index;

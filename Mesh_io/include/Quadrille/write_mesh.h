@@ -34,22 +34,31 @@ Mesh_file_format mesh_file_format(const std::string& path);
 void write_mesh(const std::string& path, const Labelled_mesh& mesh,
                 Mesh_file_format format = Mesh_file_format::by_extension);
 
-/// Writes a frame field as VTU: the triangles, per triangle the frame vectors `u` and `v` (their lengths are the
-/// element sizes `size_u`, `size_v`), per vertex its `valence` (4 regular; 3, 5, ... singular).
-/// \pre one entry of `u` and `v` per face and of `valence` per vertex of `domain.mesh`.
-/// \throws Output_error, Invalid_argument_error (the extension is not .vtu)
-void write_frame_field(const std::string& path, const Planar_domain& domain,
-                       const std::vector<std::array<double, 2>>& u, const std::vector<std::array<double, 2>>& v,
-                       const std::vector<int>& valence);
+/// Writes a frame field as VTU (binary): the triangles, and then the edges on curves and the singular vertices as
+/// cells.
+///
+/// At the cells are, for triangles, the frame vectors `u` and `v` (their lengths are the element sizes `size_u`,
+/// `size_v`; all zero for other cells), the `dimension` of the cell (2, 1, 0) to choose by, and the tag of its region
+/// or curve (`entity`, 0 for vertices). At the points are their `valence` (4 regular; 3, 5, ... singular) and whether
+/// they are `singular` (0, 1). \tparam Domain `Planar_domain` or `Surface_domain` \pre one entry of `u` and `v` per
+/// face and of `valence` per vertex of `domain.mesh`. \throws Output_error, Invalid_argument_error (the extension is
+/// not .vtu, or the number of entries is wrong)
+template <class Domain>
+void write_frame_field(const std::string& path, const Domain& domain,
+                       const std::vector<std::array<double, Domain::dimension>>& u,
+                       const std::vector<std::array<double, Domain::dimension>>& v, const std::vector<int>& valence);
 
 /// Writes a map as OBJ with one texture coordinate per corner. `corner_uv` has, per halfedge of `domain.mesh`, the map
 /// coordinates of the corner at its target.
+/// \tparam Domain `Planar_domain` or `Surface_domain`
 /// \throws Output_error, Invalid_argument_error (the extension is not .obj)
-void write_corner_map(const std::string& path, const Planar_domain& domain,
+template <class Domain>
+void write_corner_map(const std::string& path, const Domain& domain,
                       const std::vector<Planar_domain::Point_2>& corner_uv);
 
 } // namespace Quadrille
 
+#include <Quadrille/Mesh_io/internal/write_domain_impl.h>
 #include <Quadrille/Mesh_io/internal/write_mesh_impl.h>
 
 #endif

@@ -137,7 +137,7 @@ private:
   void orient()
   {
     const Triangle_adjacency adjacency(m_triangles);
-    if (adjacency.one_sided_edge() || !adjacency.crowded_edges().empty())
+    if (!adjacency.one_sided_edges().empty() || !adjacency.crowded_edges().empty())
       return; // which is not for us to report
     const std::size_t n = std::size_t(adjacency.number_of_components());
     std::vector<char> is_closed(n, 1);

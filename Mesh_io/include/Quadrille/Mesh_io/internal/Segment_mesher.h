@@ -33,7 +33,7 @@ struct Segmented_outline {
 class Segment_mesher {
 public:
   /// All in unit coordinates.
-  Segment_mesher(const Outline& outline, const Segmented_outline& segmented, const Triangle_size_field& field,
+  Segment_mesher(const Outline& outline, const Segmented_outline& segmented, const Triangle_size_field<Point_2>& field,
                  const std::string& path)
       : m_outline(outline), m_segmented(segmented), m_field(field), m_path(path)
   {
@@ -246,7 +246,7 @@ private:
 
   const Outline& m_outline;
   const Segmented_outline& m_segmented;
-  const Triangle_size_field& m_field;
+  const Triangle_size_field<Point_2>& m_field;
   const std::string& m_path;
 };
 

@@ -4,12 +4,10 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_SIZE_SPECIFICATION_IMPL_H
 #define QUADRILLE_MESH_IO_INTERNAL_SIZE_SPECIFICATION_IMPL_H
 
+#include <Quadrille/Mesh_io/internal/vector_length.h>
 #include <Quadrille/Size_specification.h>
 #include <Quadrille/domain_curves.h>
 #include <Quadrille/exceptions.h>
-
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,18 +51,6 @@ inline std::string format_number(double value)
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
-}
-
-template <class Kernel> double length_of(const CGAL::Vector_2<Kernel>& v) { return std::hypot(v.x(), v.y()); }
-template <class Kernel> double length_of(const CGAL::Vector_3<Kernel>& v) { return std::hypot(v.x(), v.y(), v.z()); }
-
-inline double diagonal_of(const CGAL::Bbox_2& box)
-{
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-}
-inline double diagonal_of(const CGAL::Bbox_3& box)
-{
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
 /// Curves that join end to end, with the direction in which each is passed.

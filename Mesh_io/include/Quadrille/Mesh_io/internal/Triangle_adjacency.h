@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,8 +45,8 @@ public:
   int component(std::size_t triangle) const { return m_component[triangle]; }
   /// Whether a triangle is oriented otherwise than the first one of its component.
   bool is_turned(std::size_t triangle) const { return m_is_turned[triangle]; }
-  /// An edge across which no consistent orientation can be continued, if the triangles are not orientable.
-  const std::optional<Side>& one_sided_edge() const { return m_one_sided_edge; }
+  /// Edges across which no consistent orientation can be continued; none if the triangles are orientable.
+  const std::vector<Side>& one_sided_edges() const { return m_one_sided_edges; }
 
   /// Whether the triangles on both sides of an inner edge pass it in the same direction.
   bool is_oriented_differently(const Side& side) const
@@ -116,8 +115,8 @@ private:
             m_component[u] = m_component[t];
             m_is_turned[u] = turned;
             stack.push_back(u);
-          } else if (m_is_turned[u] != turned && !m_one_sided_edge) {
-            m_one_sided_edge = Side{t, i};
+          } else if (m_is_turned[u] != turned) {
+            m_one_sided_edges.push_back({t, i});
           }
         }
       }
@@ -131,7 +130,7 @@ private:
   std::vector<int> m_component;
   std::vector<char> m_is_turned;
   int m_n_components = 0;
-  std::optional<Side> m_one_sided_edge;
+  std::vector<Side> m_one_sided_edges;
 };
 
 /// Volumes that the components enclose, positive if normals point outwards once the triangles that `is_turned()` tells

@@ -42,7 +42,7 @@ public:
   ///
   /// Where that would take more than the allowed number of triangles, they are not made as small as the
   /// narrowest gaps and details ask for; `coarsened()` tells.
-  Triangle_size_field estimate()
+  Triangle_size_field<Point_2> estimate()
   {
     const double max_triangles =
         std::max(double(m_options.max_triangles), 3 * 2.31 * m_region.area() / (m_largest * m_largest));
@@ -52,23 +52,24 @@ public:
       m_samples.clear();
       add_curvature_and_sides();
       for (int round = 0; round < 3; ++round) {
-        const Triangle_size_field field(m_largest, m_options.size_gradation, all_sources());
+        const Triangle_size_field<Point_2> field(m_largest, m_options.size_gradation, all_sources());
         sample(field);
         add_gaps();
       }
-      Triangle_size_field field(m_largest, m_options.size_gradation, all_sources());
+      Triangle_size_field<Point_2> field(m_largest, m_options.size_gradation, all_sources());
       const double n = count_triangles(field, Point_2(0, 0), 1, max_triangles);
       if (n <= max_triangles)
         return field;
       m_coarsened = true;
     }
-    return Triangle_size_field(m_largest, m_options.size_gradation, all_sources());
+    return Triangle_size_field<Point_2>(m_largest, m_options.size_gradation, all_sources());
   }
 
   bool coarsened() const { return m_coarsened; }
 
   /// Arc lengths that divide a curve into edges as long as the field says, ends included.
-  static std::vector<double> subdivide(const Outline::Curve& curve, const Triangle_size_field& field, double factor)
+  static std::vector<double> subdivide(const Outline::Curve& curve, const Triangle_size_field<Point_2>& field,
+                                       double factor)
   {
     // Integrate 1 / h by steps shorter than h can change over.
     std::vector<double> s{0}, count{0};
@@ -94,7 +95,7 @@ public:
   }
 
 private:
-  using Source = Triangle_size_field::Source;
+  using Source = Triangle_size_field<Point_2>::Source;
   struct Sample {
     int curve;
     double arc_length;
@@ -223,7 +224,7 @@ private:
     return size;
   }
 
-  void sample(const Triangle_size_field& field)
+  void sample(const Triangle_size_field<Point_2>& field)
   {
     m_samples.clear();
     for (std::size_t c = 0; c < m_outline.curves.size(); ++c) {
@@ -279,8 +280,8 @@ private:
     double result = distance(x, sample.position);
     for (const int neighbor : sample.neighbors)
       if (neighbor >= 0)
-        result = std::min(result, Triangle_size_field::distance_to_segment(x, sample.position,
-                                                                           m_samples[std::size_t(neighbor)].position));
+        result = std::min(result, Triangle_size_field<Point_2>::distance_to_segment(
+                                      x, sample.position, m_samples[std::size_t(neighbor)].position));
     return result;
   }
 
@@ -320,7 +321,8 @@ private:
   }
 
   /// About how many triangles a field asks for in a square, by subdividing it; stops when there are more than `enough`.
-  double count_triangles(const Triangle_size_field& field, const Point_2& center, double side, double enough) const
+  double count_triangles(const Triangle_size_field<Point_2>& field, const Point_2& center, double side,
+                         double enough) const
   {
     const double h = field(center);
     if (side <= 2 * h)

@@ -4,10 +4,13 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_TRIANGLE_SIZE_FIELD_H
 #define QUADRILLE_MESH_IO_INTERNAL_TRIANGLE_SIZE_FIELD_H
 
-#include <Quadrille/Mesh_io/internal/Outline.h>
+#include <Quadrille/Mesh_io/internal/vector_length.h>
+
+#include <CGAL/Dimension.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace Quadrille {
@@ -16,10 +19,10 @@ namespace internal {
 /// h(x) = min over segments s of (h_s + gradation * |x - s|), bounded above: the size of triangles at x.
 ///
 /// A tree of bounding boxes answers in about logarithmic time.
-class Triangle_size_field {
+template <class Point> class Triangle_size_field {
 public:
   struct Source {
-    Point_2 p, q;
+    Point p, q;
     double size; ///< at the whole segment
   };
 
@@ -33,7 +36,7 @@ public:
       build(0, m_sources.size());
   }
 
-  double operator()(const Point_2& x) const
+  double operator()(const Point& x) const
   {
     double best = m_largest;
     if (!m_nodes.empty())
@@ -42,8 +45,10 @@ public:
   }
 
 private:
+  static constexpr int dimension = CGAL::Ambient_dimension<Point>::value;
+
   struct Node {
-    CGAL::Bbox_2 box;
+    decltype(std::declval<Point>().bbox()) box;
     double smallest = 0;
     std::size_t begin = 0, end = 0; ///< sources
     std::size_t second_child = 0;   ///< 0 for a leaf; the first child follows its parent
@@ -62,9 +67,12 @@ private:
       node.smallest = std::min(node.smallest, m_sources[i].size);
     }
     if (end - begin > 4) {
-      const bool by_x = node.box.xmax() - node.box.xmin() > node.box.ymax() - node.box.ymin();
+      const auto extent = [&](int k) { return (node.box.max)(k) - (node.box.min)(k); };
+      int axis = dimension - 1;
+      for (int k = dimension - 2; k >= 0; --k)
+        axis = extent(k) > extent(axis) ? k : axis;
       const std::size_t middle = (begin + end) / 2;
-      const auto key = [by_x](const Source& s) { return by_x ? s.p.x() + s.q.x() : s.p.y() + s.q.y(); };
+      const auto key = [axis](const Source& s) { return s.p[axis] + s.q[axis]; };
       std::nth_element(m_sources.begin() + std::ptrdiff_t(begin), m_sources.begin() + std::ptrdiff_t(middle),
                        m_sources.begin() + std::ptrdiff_t(end),
                        [&](const Source& a, const Source& b) { return key(a) < key(b); });
@@ -75,7 +83,7 @@ private:
     return index;
   }
 
-  void descend(std::size_t index, const Point_2& x, double& best) const
+  void descend(std::size_t index, const Point& x, double& best) const
   {
     const Node& node = m_nodes[index];
     if (lower_bound(node, x) >= best)
@@ -92,20 +100,22 @@ private:
     descend(far, x, best);
   }
 
-  double lower_bound(const Node& node, const Point_2& x) const
+  double lower_bound(const Node& node, const Point& x) const
   {
-    const double dx = std::max({node.box.xmin() - x.x(), 0.0, x.x() - node.box.xmax()});
-    const double dy = std::max({node.box.ymin() - x.y(), 0.0, x.y() - node.box.ymax()});
-    return node.smallest + m_gradation * std::hypot(dx, dy);
+    const auto outside = [&](int k) { return std::max({(node.box.min)(k)-x[k], 0.0, x[k] - (node.box.max)(k)}); };
+    if constexpr (dimension == 2)
+      return node.smallest + m_gradation * std::hypot(outside(0), outside(1));
+    else
+      return node.smallest + m_gradation * std::hypot(outside(0), outside(1), outside(2));
   }
 
 public:
-  static double distance_to_segment(const Point_2& x, const Point_2& p, const Point_2& q)
+  static double distance_to_segment(const Point& x, const Point& p, const Point& q)
   {
     const auto d = q - p;
     const double squared = d.squared_length();
     const double t = squared > 0 ? std::clamp(((x - p) * d) / squared, 0.0, 1.0) : 0;
-    return distance(x, p + t * d);
+    return length_of(x - (p + t * d));
   }
 
 private:

@@ -178,17 +178,27 @@ private:
 
   void check_orientation(const Triangle_adjacency& adjacency) const
   {
+    const auto polygons = [&](const Triangle_adjacency::Side& side) {
+      return std::pair(m_result.polygon[side.triangle],
+                       m_result.polygon[std::size_t(adjacency.neighbor(side.triangle, side.edge))]);
+    };
     const auto edge_name = [&](const Triangle_adjacency::Side& side) {
       const std::array<int, 3>& t = m_result.triangles[side.triangle];
-      return "the edge from " + place(t[side.edge]) + " to " + place(t[(side.edge + 1) % 3]) + " (of triangles " +
-             std::to_string(m_result.polygon[side.triangle]) + " and " +
-             std::to_string(m_result.polygon[std::size_t(adjacency.neighbor(side.triangle, side.edge))]) +
-             ", counting from 0)";
+      const auto [f, g] = polygons(side);
+      return "the edge from " + place(t[side.edge]) + " to " + place(t[(side.edge + 1) % 3]) +
+             (m_n_divided > 0 ? " (of polygons " : " (of triangles ") + std::to_string(f) + " and " +
+             std::to_string(g) + ", counting from 0)";
     };
-    if (adjacency.one_sided_edge())
+    const auto& one_sided = adjacency.one_sided_edges();
+    if (!one_sided.empty()) {
+      const auto between_polygons = std::find_if(one_sided.begin(), one_sided.end(), [&](const auto& side) {
+        return polygons(side).first != polygons(side).second;
+      });
       fail("the surface is not orientable, like a Moebius strip: no order of the triangles' corners is consistent "
            "everywhere, for instance across " +
-           edge_name(*adjacency.one_sided_edge()) + "; cut the surface open");
+           edge_name(between_polygons != one_sided.end() ? *between_polygons : one_sided[0]) +
+           "; cut the surface open");
+    }
     std::vector<std::size_t> n_all(std::size_t(adjacency.number_of_components()), 0), n_turned(n_all);
     for (std::size_t t = 0; t < m_result.triangles.size(); ++t) {
       ++n_all[std::size_t(adjacency.component(t))];

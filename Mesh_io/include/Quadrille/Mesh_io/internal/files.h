@@ -26,6 +26,13 @@ inline std::string extension_of(const std::string& path)
   return extension;
 }
 
+/// \throws Invalid_argument_error if the name has another extension
+inline void check_extension(const std::string& path, const std::string& extension)
+{
+  if (extension_of(path) != extension)
+    throw Invalid_argument_error(path + ": the name of this file has to end in " + extension);
+}
+
 /// \throws Invalid_input_error if `path` is not a readable, non-empty file.
 inline void check_readable(const std::string& path)
 {

@@ -125,6 +125,22 @@ inline std::vector<int> find_surfaces(const std::string& path)
   return surfaces;
 }
 
+/// Whether Gmsh's current model has no volumes, and a surface has a curve at which nothing goes on.
+inline bool has_free_curves()
+{
+  gmsh::vectorpair volumes, surfaces;
+  gmsh::model::getEntities(volumes, 3);
+  gmsh::model::getEntities(surfaces, 2);
+  std::map<int, int> n_uses;
+  for (const auto& [dimension, tag] : surfaces) {
+    gmsh::vectorpair boundary;
+    gmsh::model::getBoundary({{2, tag}}, boundary, false, false);
+    for (const auto& [d, curve] : boundary)
+      ++n_uses[std::abs(curve)];
+  }
+  return volumes.empty() && std::any_of(n_uses.begin(), n_uses.end(), [](const auto& use) { return use.second == 1; });
+}
+
 /// Whether Gmsh's current model has no volumes, and its surfaces lie in a plane z = constant. True if nothing tells.
 inline bool is_planar_geometry()
 {

@@ -30,8 +30,9 @@ inline void check_options(const Surface_domain_options& options)
     throw Invalid_argument_error("the triangle size must be a positive number");
   if (!(options.crease_angle > 0 && options.crease_angle <= 180))
     throw Invalid_argument_error("the crease angle must be above 0 and at most 180 degrees");
-  if (!(options.edges_per_circle >= 3) || !(options.edges_per_curve >= 1) || options.max_triangles < 1 ||
-      !(options.corner_degrees > 0 && options.corner_degrees < 180) || !(options.time_limit_seconds > 0))
+  if (!(options.edges_per_circle >= 3) || !(options.edges_per_curve >= 1) || !(options.size_gradation > 0) ||
+      options.max_triangles < 1 || !(options.corner_degrees > 0 && options.corner_degrees < 180) ||
+      !(options.time_limit_seconds > 0))
     throw Invalid_argument_error("an option of reading surfaces is out of range");
 }
 

@@ -34,41 +34,46 @@ template <class Archive> void exchange(Archive& archive, Geometry_content& c)
   archive(c.is_planar, c.triangulation, c.failure);
 }
 
+/// What is tried on a geometry: no algorithm of Gmsh succeeds on every one, and some crash.
+struct Geometry_attempt {
+  int algorithm = 0; ///< for surfaces, as Gmsh numbers them
+  bool sews = true;  ///< surfaces of files without volumes
+};
+
 /// Triangulates a geometry file. Runs in the child process.
 /// \param planar if given, planar geometries are triangulated for the plane. \throws Invalid_input_error
 inline Geometry_content load_geometry(const std::string& path, const Surface_domain_options& options,
-                                      const Planar_domain_options* planar, int algorithm)
+                                      const Planar_domain_options* planar, const Geometry_attempt& attempt)
 {
   Geometry_content content;
   std::optional<Gmsh_session> session(std::in_place);
   open_geometry(path, *session);
-  bool has_volumes = false;
+  bool may_need_sewing = false;
   Gmsh_session::call(path, [&] {
-    gmsh::vectorpair volumes;
-    gmsh::model::getEntities(volumes, 3);
-    has_volumes = !volumes.empty();
     content.is_planar = planar && is_planar_geometry();
+    may_need_sewing = extension_of(path) != ".geo" && has_free_curves();
   });
   if (content.is_planar) {
     content.triangulation = triangulate_geometry(path, *planar);
     return content;
   }
-  if (!has_volumes && extension_of(path) != ".geo") { // files with nothing but surfaces often have them unconnected
+  if (attempt.sews && may_need_sewing) { // IGES files, above all, have surfaces that only touch
     session.reset();
     session.emplace();
     gmsh::option::setNumber("Geometry.OCCSewFaces", 1);
     open_geometry(path, *session);
   }
   try {
-    Gmsh_session::call(path,
-                       [&] { content.triangulation = Surface_triangulator(path, options, *session).run(algorithm); });
+    Gmsh_session::call(
+        path, [&] { content.triangulation = Surface_triangulator(path, options, *session).run(attempt.algorithm); });
   } catch (const Gmsh_failure& failure) {
     content.failure = failure.what();
   }
+  if (!attempt.sews && may_need_sewing)
+    content.triangulation.notes.push_back("the surfaces could not be sewn: those that only touch are not connected");
   return content;
 }
 
-/// No algorithm succeeds on every geometry, and some crash.
 /// \param planar if given, planar geometries become planar domains. \throws Invalid_input_error
 inline std::variant<Planar_domain, Surface_domain>
 read_geometry(const std::string& path, const Surface_domain_options& options, const Planar_domain_options* planar)
@@ -76,11 +81,13 @@ read_geometry(const std::string& path, const Surface_domain_options& options, co
   constexpr int frontal_delaunay = 6, delaunay = 5, mesh_adapt = 1;
   const auto start = std::chrono::steady_clock::now();
   std::string first_failure;
-  for (const int algorithm : {frontal_delaunay, delaunay, mesh_adapt}) {
+  for (const Geometry_attempt& attempt :
+       {Geometry_attempt{frontal_delaunay, true}, Geometry_attempt{delaunay, true}, Geometry_attempt{mesh_adapt, true},
+        Geometry_attempt{frontal_delaunay, false}}) {
     std::string failure;
     Geometry_content content;
     try {
-      const auto load = [&] { return load_geometry(path, options, planar, algorithm); };
+      const auto load = [&] { return load_geometry(path, options, planar, attempt); };
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
       content = options.isolate_geometry_kernel
                     ? run_in_child_process<Geometry_content>(load, options.time_limit_seconds - passed.count(), path)
@@ -99,7 +106,7 @@ read_geometry(const std::string& path, const Surface_domain_options& options, co
         domain.notes.insert(domain.notes.end(), content.triangulation.notes.begin(), content.triangulation.notes.end());
         return domain;
       } catch (const Invalid_input_error& error) {
-        failure = error.what();
+        failure = error.what() + std::string(" (in the triangles that Gmsh made of the geometry)");
       }
     }
     if (first_failure.empty())

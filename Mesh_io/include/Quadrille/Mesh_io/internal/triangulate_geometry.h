@@ -52,7 +52,8 @@ inline std::vector<std::array<double, 2>> tangents_of(const Outline& outline, co
 }
 
 /// \param unit `outline` in the coordinates in which `field` is given
-inline Segmented_outline segment_outline(const Outline& outline, const Outline& unit, const Triangle_size_field& field)
+inline Segmented_outline segment_outline(const Outline& outline, const Outline& unit,
+                                         const Triangle_size_field<Point_2>& field)
 {
   Segmented_outline result;
   for (const Outline::Point& point : outline.points)
@@ -110,7 +111,7 @@ inline Geometry_triangulation triangulate_geometry(const std::string& path, cons
   Outline outline, unit;
   Segmented_outline segmented;
   std::optional<Unit_frame> frame;
-  std::optional<Triangle_size_field> field;
+  std::optional<Triangle_size_field<Point_2>> field;
   const Outline_checker checker(outline, path);
   outline = Outline_loader(path).load();
   checker.check_ends_and_straight_curves();
@@ -130,7 +131,7 @@ inline Geometry_triangulation triangulate_geometry(const std::string& path, cons
       result.notes.push_back("details and gaps are too small for " + std::to_string(options.max_triangles) +
                              " triangles and not fully resolved; a smaller triangle size allows more");
   } else {
-    field = Triangle_size_field(size, options.size_gradation, {});
+    field = Triangle_size_field<Point_2>(size, options.size_gradation, {});
   }
   Gmsh_session::call(path, [&] { segmented = segment_outline(outline, unit, *field); });
   checker.check_segments(segmented, !result.notes.empty());

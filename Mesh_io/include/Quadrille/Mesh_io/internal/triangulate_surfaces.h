@@ -7,16 +7,18 @@
 #include <Quadrille/Mesh_io/internal/Byte_archive.h>
 #include <Quadrille/Mesh_io/internal/Gmsh_session.h>
 #include <Quadrille/Mesh_io/internal/Gmsh_surface_mesh.h>
+#include <Quadrille/Mesh_io/internal/Triangle_size_field.h>
 #include <Quadrille/Mesh_io/internal/files.h>
 #include <Quadrille/Mesh_io/internal/find_surfaces.h>
 #include <Quadrille/Mesh_io/internal/point_sizes.h>
+#include <Quadrille/Mesh_io/internal/vector_length.h>
 #include <Quadrille/Surface_domain.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,8 @@ namespace internal {
 /// Triangles for the surfaces of Gmsh's current model.
 class Surface_triangulator {
 public:
+  using Point_3 = Surface_domain::Point_3;
+
   Surface_triangulator(const std::string& path, const Surface_domain_options& options, const Gmsh_session& session)
       : m_path(path), m_options(options), m_session(session)
   {
@@ -47,6 +51,7 @@ public:
     const bool is_given = m_options.triangle_size > 0;
     const double size = is_given ? m_options.triangle_size : std::sqrt(area / (default_number * triangle_area));
     mesh_with_size(size, std::max(double(m_options.max_triangles), 3 * area / (size * size * triangle_area)));
+    gmsh::model::mesh::removeSizeCallback();
     Geometry_triangulation result = Gmsh_surface_mesh(m_surfaces).get(m_point_sizes);
     result.triangle_size = size;
     result.notes = std::move(m_notes);
@@ -55,6 +60,7 @@ public:
 
 private:
   static constexpr double default_number = 10000, triangle_area = 0.433; ///< with edges of length 1
+  static constexpr double degenerate_length = 1e-7;                      ///< of curves, relative to the model
 
   [[noreturn]] void fail(const std::string& reason) const { throw Invalid_input_error(m_path + ": " + reason); }
 
@@ -84,7 +90,7 @@ private:
     gmsh::option::setNumber("Mesh.Algorithm", algorithm);
     gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 1);
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", m_options.refine_locally ? m_options.edges_per_circle : 0);
-    gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
+    gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
     gmsh::option::setNumber("Mesh.MeshSizeFactor", 1);
     gmsh::option::setNumber("Mesh.MeshOnlyVisible", 1);
     for (const char* name : {"Mesh.RecombineAll", "Mesh.SubdivisionAlgorithm", "Mesh.MeshOnlyEmpty",
@@ -94,7 +100,7 @@ private:
   }
 
   /// From the geometry kernel or, where it cannot tell, from a coarse triangulation.
-  double area_of_surfaces() const
+  double area_of_surfaces()
   {
     double area = 0;
     try {
@@ -107,32 +113,87 @@ private:
       area = 0;
     }
     if (!(area > 0)) {
-      set_sizes(m_diagonal / 20, m_diagonal / 20);
-      generate();
+      generate(m_diagonal / 20, m_diagonal / 20);
       area = Gmsh_surface_mesh(m_surfaces).area();
-      gmsh::model::mesh::clear();
     }
     if (!(area > 0) || !std::isfinite(area))
       fail("the surfaces have no area");
     return area;
   }
 
+  /// With triangles as small as details need, unless they become too many.
   void mesh_with_size(double size, double max_triangles)
   {
-    for (const double factor : {10.0, 4.0, 2.0, 1.0}) {
-      set_sizes(m_options.refine_locally ? size / factor : size, size);
-      generate();
-      const std::size_t n = Gmsh_surface_mesh(m_surfaces).number_of_triangles();
-      if (!m_options.refine_locally || factor == 1 || double(n) <= max_triangles)
-        return;
-      if (m_notes.empty())
+    if (!m_options.refine_locally)
+      return generate(size, size);
+    double factor = 1;
+    for (const double next : {2.0, 4.0, 8.0}) {
+      generate(size / next, size);
+      if (double(Gmsh_surface_mesh(m_surfaces).number_of_triangles()) > max_triangles) {
         m_notes.push_back("details are too small for " + std::to_string(m_options.max_triangles) +
                           " triangles and not fully resolved; a smaller triangle size allows more");
-      gmsh::model::mesh::clear();
+        return generate(size / factor, size);
+      }
+      if (m_shortest_edge > 1.5 * size / next)
+        return; // nothing asks for smaller ones
+      factor = next;
     }
   }
 
-  /// Gmsh interpolates the sizes at the points, so that short curves make triangles small around them.
+  /// Triangles grow gradually with the distance from curves, starting with the edges that curvature and lengths ask
+  /// for.
+  void generate(double smallest, double largest)
+  {
+    gmsh::model::mesh::removeSizeCallback();
+    gmsh::model::mesh::clear();
+    set_sizes(smallest, largest);
+    if (smallest < largest) {
+      call_gmsh(1);
+      const std::vector<Triangle_size_field<Point_3>::Source> edges = edges_on_curves();
+      m_shortest_edge = largest;
+      for (const auto& edge : edges)
+        m_shortest_edge = std::min(m_shortest_edge, edge.size);
+      m_field.emplace(largest, m_options.size_gradation, edges);
+      gmsh::model::mesh::setSizeCallback(
+          [this](int, int, double x, double y, double z) { return (*m_field)(Point_3(x, y, z)); });
+      gmsh::model::mesh::clear();
+    }
+    call_gmsh(2);
+    for (const int surface : m_surfaces) {
+      constexpr int triangle = 2;
+      std::vector<int> types;
+      gmsh::model::mesh::getElementTypes(types, 2, surface);
+      if (types.empty())
+        throw Gmsh_failure("surface " + std::to_string(surface) + " stayed empty");
+      if (types != std::vector<int>{triangle}) // which cannot be overruled everywhere
+        fail("the script asks for other elements than triangles on surface " + std::to_string(surface) +
+             "; remove Recombine and Layers from it");
+    }
+  }
+
+  std::vector<Triangle_size_field<Point_3>::Source> edges_on_curves() const
+  {
+    std::vector<std::size_t> tags;
+    std::vector<double> coordinates, parameters;
+    gmsh::model::mesh::getNodes(tags, coordinates, parameters, -1, -1, false, false);
+    std::map<std::size_t, Point_3> points;
+    for (std::size_t i = 0; i < tags.size(); ++i)
+      points[tags[i]] = Point_3(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+    std::vector<Triangle_size_field<Point_3>::Source> edges;
+    for (const int curve : curves_of(m_surfaces)) {
+      constexpr int line = 1;
+      std::vector<std::size_t> elements, nodes;
+      gmsh::model::mesh::getElementsByType(line, elements, nodes, curve);
+      for (std::size_t i = 0; i + 1 < nodes.size(); i += 2) {
+        const Point_3 &p = points[nodes[i]], &q = points[nodes[i + 1]];
+        if (const double length = length_of(q - p); length > degenerate_length * m_diagonal)
+          edges.push_back({p, q, length});
+      }
+    }
+    return edges;
+  }
+
+  /// Gmsh interpolates the sizes at the points along curves, so that short curves make edges small around them.
   void set_sizes(double smallest, double largest) const
   {
     gmsh::option::setNumber("Mesh.MeshSizeMin", smallest);
@@ -161,7 +222,7 @@ private:
     std::map<int, double> lengths;
     for (const int curve : curves_of(m_surfaces)) {
       const double length = length_of_curve(curve);
-      if (length > 1e-7 * m_diagonal)
+      if (length > degenerate_length * m_diagonal)
         lengths[curve] = length;
     }
     return lengths;
@@ -176,28 +237,18 @@ private:
     return length;
   }
 
-  void generate() const
+  void call_gmsh(int dimension) const
   {
     gmsh::logger::stop(); // asking for the area may have logged an error
     gmsh::logger::start();
     try {
-      Gmsh_session::call("Gmsh", [] { gmsh::model::mesh::generate(2); });
+      Gmsh_session::call("Gmsh", [=] { gmsh::model::mesh::generate(dimension); });
     } catch (const Invalid_input_error& error) {
       throw Gmsh_failure(error.what());
     }
     const std::string error = m_session.first_error();
     if (!error.empty())
       throw Gmsh_failure(error);
-    for (const int surface : m_surfaces) {
-      constexpr int triangle = 2;
-      std::vector<int> types;
-      gmsh::model::mesh::getElementTypes(types, 2, surface);
-      if (types.empty())
-        throw Gmsh_failure("surface " + std::to_string(surface) + " stayed empty");
-      if (types != std::vector<int>{triangle}) // which cannot be overruled everywhere
-        fail("the script asks for other elements than triangles on surface " + std::to_string(surface) +
-             "; remove Recombine and Layers from it");
-    }
   }
 
   const std::string& m_path;
@@ -206,6 +257,8 @@ private:
   std::vector<int> m_surfaces; ///< tags
   double m_diagonal = 0;       ///< of the bounding box
   std::map<int, double> m_point_sizes;
+  std::optional<Triangle_size_field<Point_3>> m_field;
+  double m_shortest_edge = 0; ///< on curves, before the sizes were graded
   std::vector<std::string> m_notes;
 };
 

@@ -10,7 +10,6 @@
 #include <Quadrille/write_file.h>
 #include <Quadrille/write_mesh.h>
 
-#include <cmath>
 #include <map>
 #include <string>
 
@@ -295,20 +294,6 @@ inline std::string vtu_text(const Labelled_mesh& mesh)
   return file.finish();
 }
 
-inline void check_extension(const std::string& path, const std::string& extension)
-{
-  if (extension_of(path) != extension)
-    throw Invalid_argument_error(path + ": the name of this file has to end in " + extension);
-}
-
-inline std::vector<std::array<double, 3>> points_of(const Planar_domain& domain)
-{
-  std::vector<std::array<double, 3>> points;
-  for (const auto v : domain.mesh.vertices())
-    points.push_back({domain.mesh.point(v).x(), domain.mesh.point(v).y(), domain.z});
-  return points;
-}
-
 } // namespace internal
 
 inline Mesh_file_format mesh_file_format(const std::string& path)
@@ -338,63 +323,6 @@ inline void write_mesh(const std::string& path, const Labelled_mesh& mesh, Mesh_
   default:
     return write_file(path, internal::msh_4_1_text(mesh, path));
   }
-}
-
-inline void write_frame_field(const std::string& path, const Planar_domain& domain,
-                              const std::vector<std::array<double, 2>>& u, const std::vector<std::array<double, 2>>& v,
-                              const std::vector<int>& valence)
-{
-  internal::check_extension(path, ".vtu");
-  std::vector<std::vector<int>> cells;
-  for (const auto f : domain.mesh.faces()) {
-    cells.emplace_back();
-    for (const auto p : domain.mesh.vertices_around_face(domain.mesh.halfedge(f)))
-      cells.back().push_back(int(p.idx()));
-  }
-  internal::Vtu_text file(internal::points_of(domain), cells);
-  file.text += "<PointData>\n";
-  file.begin_array("valence", "Int32", 1);
-  for (const int n : valence)
-    internal::append_line(file.text, n);
-  file.end_array();
-  file.text += "</PointData>\n<CellData>\n";
-  for (const auto& [name, vectors] : {std::pair<const char*, const std::vector<std::array<double, 2>>&>("u", u),
-                                      std::pair<const char*, const std::vector<std::array<double, 2>>&>("v", v)}) {
-    file.begin_array(name, "Float64", 3);
-    for (const std::array<double, 2>& x : vectors)
-      internal::append_line(file.text, x[0], x[1], 0);
-    file.end_array();
-    file.begin_array(std::string("size_") + name, "Float64", 1);
-    for (const std::array<double, 2>& x : vectors)
-      internal::append_line(file.text, std::hypot(x[0], x[1]));
-    file.end_array();
-  }
-  file.text += "</CellData>\n";
-  write_file(path, file.finish());
-}
-
-inline void write_corner_map(const std::string& path, const Planar_domain& domain,
-                             const std::vector<Planar_domain::Point_2>& corner_uv)
-{
-  internal::check_extension(path, ".obj");
-  std::string text;
-  for (const std::array<double, 3>& p : internal::points_of(domain))
-    internal::append_line(text, "v", p[0], p[1], p[2]);
-  std::string faces;
-  std::size_t n = 0;
-  for (const auto f : domain.mesh.faces()) {
-    faces += "f ";
-    for (const auto h : domain.mesh.halfedges_around_face(domain.mesh.halfedge(f))) {
-      const Planar_domain::Point_2& uv = corner_uv[std::size_t(h.idx())];
-      internal::append_line(text, "vt", uv.x(), uv.y());
-      internal::append_number(faces, std::size_t(domain.mesh.target(h).idx()) + 1);
-      faces += '/';
-      internal::append_number(faces, ++n);
-      faces += ' ';
-    }
-    faces.back() = '\n';
-  }
-  write_file(path, text + faces);
 }
 
 } // namespace Quadrille

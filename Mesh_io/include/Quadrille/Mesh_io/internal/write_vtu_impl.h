@@ -160,13 +160,12 @@ private:
 inline void write_vtu_file(const std::string& path, const std::vector<std::array<double, 3>>& points,
                            const Vtu_cells& cells, const Vtu_data& data)
 {
-  if (extension_of(path) != ".vtu")
-    throw Invalid_argument_error(path + ": the name of this file has to end in .vtu");
+  check_extension(path, ".vtu");
   const Vtu_writer writer(points, cells, data, path);
   write_file_by(path, [&](std::ostream& file) { writer.write(file); });
 }
 
-constexpr std::uint8_t vtk_vertex = 1, vtk_line = 3, vtk_polyline = 4, vtk_tetrahedron = 10;
+constexpr std::uint8_t vtk_vertex = 1, vtk_line = 3, vtk_polyline = 4, vtk_triangle = 5, vtk_tetrahedron = 10;
 
 } // namespace internal
 
