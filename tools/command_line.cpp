@@ -22,7 +22,7 @@ using Strings = std::vector<std::string>;
 const char* const main_help =
     R"(quadrille: quadrilateral meshes with prescribed element sizes, and cross fields in volumes
 
-  quadrille quad IN -o OUT [options]   mesh a planar domain
+  quadrille quad IN -o OUT [options]   mesh a planar domain; field and map of a surface
   quadrille cross IN -o OUT [options]  the smoothest cross field of a volume, and its singular curves
   quadrille check MESH [options]       validity and quality of a quad mesh
   quadrille COMMAND --help             options of a command
@@ -37,6 +37,9 @@ const char* const quad_help =
 Meshes the planar domain IN (.geo .step .stp .brep .iges; triangles in .msh .obj .off .vtk .ply .stl) with quads and
 writes them to OUT (.msh .vtk .vtu .obj). Sizes are lengths in the unit of IN. Default sizes: those at the points of a
 .geo file, or else the diagonal of the bounding box / 40.
+
+Where IN is a surface in space (also the boundary of a solid), its frame field and seamless map are computed and written
+with --field, --map and --picture; quads of surfaces cannot be made yet, so there is no OUT.
 )";
 
 const char* const cross_help =
@@ -77,8 +80,14 @@ po::options_description quad_options()
                         "largest edge of the background triangulation (default: chosen and printed)");
   options.add_options()("max-quads", po::value<Strings>()->value_name("N"),
                         "refuse sizes that ask for more quads (default 1000000)");
-  options.add_options()("isotropic", "square elements (the default)");
-  options.add_options()("anisotropic", "rectangular elements: sizes across and along curves may differ");
+  options.add_options()("isotropic", "square elements (the default in the plane)");
+  options.add_options()("anisotropic", "rectangular elements: sizes across and along curves may differ (the default on "
+                                       "surfaces)");
+  options.add_options()("preset", po::value<Strings>()->value_name("area|angle|sizing"),
+                        "surfaces: keep areas or angles of elements, or only sizes prescribed on curves (the default "
+                        "where there are some, else angle)");
+  options.add_options()("crease-angle", po::value<Strings>()->value_name("DEG"),
+                        "surfaces in files that mark no curves: edges that bend by more are features (default 40)");
   options.add_options()("smooth", "mesh the smooth field instead of an integrable one, for comparisons");
   options.add_options()(
       "solver", po::value<Strings>()->value_name("lm|lbfgs|lbfgs-kappa"),
@@ -198,13 +207,21 @@ private:
   po::variables_map m_values;
 };
 
+std::optional<double> crease_angle(const Parsed_options& options)
+{
+  if (!options.has("crease-angle"))
+    return std::nullopt;
+  const double angle = options.number("crease-angle", 0.0, 0.0);
+  if (angle > 180)
+    throw Invalid_argument_error("option --crease-angle: angles are at most 180 degrees");
+  return angle;
+}
+
 Quad_arguments quad_arguments(const Parsed_options& options)
 {
   Quad_arguments result;
   result.input = options.input("input file");
   result.outputs = options.all("output");
-  if (result.outputs.empty())
-    throw Invalid_argument_error("no output file is given; use -o OUT");
   result.field = options.one("field");
   result.map = options.one("map");
   result.picture = options.one("picture");
@@ -228,9 +245,21 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   if (known_solver == solvers.end())
     throw Invalid_argument_error("option --solver: '" + solver + "' is none of lm, lbfgs, lbfgs-kappa");
   result.solver = known_solver->second;
+  result.isotropic = options.has("isotropic");
   result.anisotropic = options.has("anisotropic");
-  if (result.anisotropic && options.has("isotropic"))
+  if (result.anisotropic && result.isotropic)
     throw Invalid_argument_error("options --isotropic and --anisotropic exclude each other");
+  if (options.has("preset")) {
+    const std::string preset = options.one("preset");
+    const std::map<std::string, Surface_field_weights> presets = {{"sizing", Surface_field_weights::sizing()},
+                                                                  {"angle", Surface_field_weights::angle_preserving()},
+                                                                  {"area", Surface_field_weights::area_preserving()}};
+    const auto known = presets.find(preset);
+    if (known == presets.end())
+      throw Invalid_argument_error("option --preset: '" + preset + "' is none of area, angle, sizing");
+    result.preset = known->second;
+  }
+  result.crease_angle = crease_angle(options);
   result.smooth = options.has("smooth");
   if (options.has("quantizer")) {
     const std::string quantizer = options.one("quantizer");
@@ -266,11 +295,7 @@ Cross_arguments cross_arguments(const Parsed_options& options)
   result.picture = options.one("picture");
   result.json = options.one("json");
   result.metric = options.one("metric");
-  if (options.has("crease-angle")) {
-    result.crease_angle = options.number("crease-angle", 0.0, 0.0);
-    if (*result.crease_angle > 180)
-      throw Invalid_argument_error("option --crease-angle: angles are at most 180 degrees");
-  }
+  result.crease_angle = crease_angle(options);
   result.tetrahedron_size = options.number("tet-size", 0.0, 0.0);
   if (options.has("tet-size") && result.tetrahedron_size == 0)
     throw Invalid_argument_error("option --tet-size: the size must be positive");

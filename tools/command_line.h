@@ -9,6 +9,7 @@
 
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Quad_extraction_options.h>
+#include <Quadrille/Surface_field_options.h>
 
 #include <cstdint>
 #include <optional>
@@ -28,9 +29,11 @@ struct Quad_arguments {
   std::string size_field;             ///< file with sizes inside; empty: none
   double size_field_weight = Odeco_field_options().target_size_weight;
   bool impose_size_field = false;
-  std::size_t max_quads = 1000000; ///< sizes that ask for more are refused
-  bool anisotropic = false;
-  bool smooth = false; ///< mesh the smooth field
+  std::size_t max_quads = 1000000;             ///< sizes that ask for more are refused
+  bool isotropic = false, anisotropic = false; ///< neither: isotropic in the plane, anisotropic on surfaces
+  std::optional<Surface_field_weights> preset; ///< of surfaces; otherwise chosen by what is prescribed
+  std::optional<double> crease_angle;          ///< of surfaces, in degrees
+  bool smooth = false;                         ///< mesh the smooth field
   Quantizer_kind quantizer = default_quantizer();
   Layout_kind layout = Quad_extraction_options().layout;
   std::vector<Count_request> counts;

@@ -3,6 +3,7 @@
 
 #include "json_summary.h"
 
+#include <sstream>
 #include <string>
 
 namespace Quadrille {
@@ -45,7 +46,7 @@ const char* name_of(Field_solver_kind solver)
   }
 }
 
-int count_boundary_loops(const Planar_domain::Mesh& mesh)
+template <class Mesh> int count_boundary_loops(const Mesh& mesh)
 {
   std::vector<char> seen(mesh.number_of_halfedges(), 0);
   int n = 0;
@@ -62,6 +63,48 @@ int count_boundary_loops(const Planar_domain::Mesh& mesh)
   return n;
 }
 
+template <class Domain> Json json_of_domain(const Domain& domain)
+{
+  const auto& mesh = domain.mesh;
+  return {{"vertices", mesh.number_of_vertices()},
+          {"faces", mesh.number_of_faces()},
+          {"boundary_loops", count_boundary_loops(mesh)},
+          {"euler_characteristic",
+           int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces())},
+          {"triangle_size", domain.triangle_size}};
+}
+
+/// What both kinds of fields have: solver, starts and effort. `scores`: per start, negative for none; or empty.
+template <class Field>
+void add_starts(const Field& field, Field_solver_kind solver, const std::vector<double>& scores, Json& json)
+{
+  json["solver"] = name_of(solver);
+  json["starts"] = field.starts.size();
+  if (field.chosen >= 0 && std::size_t(field.chosen) < field.starts.size()) {
+    const Field_start& chosen = field.starts[std::size_t(field.chosen)];
+    json["chosen"] = {{"start", field.chosen}, {"kind", name_of(chosen.kind)}, {"seed", chosen.seed}};
+  }
+  for (std::size_t i = 0; i < field.starts.size(); ++i) {
+    const Field_start& start = field.starts[i];
+    Json candidate = {{"kind", name_of(start.kind)}, {"seed", start.seed},
+                      {"energy", start.energy},      {"size_deviation", start.size_deviation},
+                      {"cost", start.cost},          {"seconds", start.seconds}};
+    if (i < scores.size() && scores[i] >= 0)
+      candidate["mesh_score"] = scores[i];
+    json["candidates"].push_back(std::move(candidate));
+  }
+}
+
+template <class Mesh> Json json_of_map(const Seamless_map<Mesh>& map, double smooth_integration_error)
+{
+  return {{"integration_error", map.integration_error},
+          {"integration_residual", map.integration_residual},
+          {"smooth_integration_error", smooth_integration_error},
+          {"seam_residual_max", map.seam_residual_max},
+          {"flipped", map.flipped},
+          {"seconds", map.seconds}};
+}
+
 } // namespace
 
 Mesh_summary summarize(const Labelled_mesh& mesh, const Planar_domain* domain, const Domain_sizes* sizes)
@@ -75,15 +118,9 @@ Mesh_summary summarize(const Labelled_mesh& mesh, const Planar_domain* domain, c
   return summary;
 }
 
-Json json_of(const Planar_domain& domain)
-{
-  const auto& mesh = domain.mesh;
-  return {{"vertices", mesh.number_of_vertices()},
-          {"faces", mesh.number_of_faces()},
-          {"boundary_loops", count_boundary_loops(mesh)},
-          {"euler_characteristic",
-           int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces())}};
-}
+Json json_of(const Planar_domain& domain) { return json_of_domain(domain); }
+
+Json json_of(const Surface_domain& domain) { return json_of_domain(domain); }
 
 Json json_of(const Mesh_summary& mesh)
 {
@@ -105,22 +142,7 @@ void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Js
   if (result.field) {
     const Odeco_field_result& field = *result.field;
     Json& json = summary["field"];
-    const Field_start* chosen = field.chosen >= 0 && std::size_t(field.chosen) < field.starts.size()
-                                    ? &field.starts[std::size_t(field.chosen)]
-                                    : nullptr;
-    json["solver"] = name_of(solver);
-    json["starts"] = field.starts.size();
-    if (chosen)
-      json["chosen"] = {{"start", field.chosen}, {"kind", name_of(chosen->kind)}, {"seed", chosen->seed}};
-    for (std::size_t i = 0; i < field.starts.size(); ++i) {
-      const Field_start& start = field.starts[i];
-      Json candidate = {{"kind", name_of(start.kind)}, {"seed", start.seed},
-                        {"energy", start.energy},      {"size_deviation", start.size_deviation},
-                        {"cost", start.cost},          {"seconds", start.seconds}};
-      if (i < result.mesh_scores.size() && result.mesh_scores[i] >= 0)
-        candidate["mesh_score"] = result.mesh_scores[i];
-      json["candidates"].push_back(std::move(candidate));
-    }
+    add_starts(field, solver, result.mesh_scores, json);
     json["triangles"] = result.gradients.size();
     json["iterations"] = field.iterations;
     json["energy"] = field.energy;
@@ -131,15 +153,8 @@ void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Js
     }
     json["seconds"] = field.seconds;
   }
-  if (result.map) {
-    const auto& map = *result.map;
-    summary["map"] = {{"integration_error", map.integration_error},
-                      {"integration_residual", map.integration_residual},
-                      {"smooth_integration_error", result.smooth_integration_error},
-                      {"seam_residual_max", map.seam_residual_max},
-                      {"flipped", map.flipped},
-                      {"seconds", map.seconds}};
-  }
+  if (result.map)
+    summary["map"] = json_of_map(*result.map, result.smooth_integration_error);
   if (result.extraction) {
     const Quad_extraction_result& extraction = *result.extraction;
     summary["layout"] = {{"kind", extraction.layout.kind == Layout_kind::t_mesh ? "t-mesh" : "base-complex"},
@@ -159,6 +174,39 @@ void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Js
       json["note"] = quantization.note;
     json["seconds"] = extraction.quantization_seconds;
   }
+}
+
+void add_stages(const Surface_pipeline_result& result, Field_solver_kind solver, Json& summary)
+{
+  if (result.field) {
+    const Surface_field_result& field = *result.field;
+    Json& json = summary["field"];
+    add_starts(field, solver, {}, json);
+    json["triangles"] = result.gradients.size();
+    json["iterations"] = field.iterations;
+    json["energy"] = field.energy;
+    json["energy_terms"] = {{"curl", field.terms.curl},
+                            {"odeco", field.terms.odeco},
+                            {"sizes", field.terms.sizes},
+                            {"angles", field.terms.angles}};
+    std::map<int, int> counts;
+    for (const auto& [vertex, valence] : result.singular_vertices)
+      ++counts[valence];
+    json["singularities"] = json_of_counts(counts);
+    json["index_sum"] = 0.25 * result.quarter_index_sum;
+    json["typical_size"] = field.typical_size;
+    json["seconds"] = field.seconds;
+  }
+  if (result.map)
+    summary["map"] = json_of_map(*result.map, result.smooth_integration_error);
+}
+
+std::string text_of_counts(const std::map<int, int>& counts)
+{
+  std::ostringstream text;
+  for (const auto& [valence, n] : counts)
+    text << (text.tellp() > 0 ? ", " : "") << n << " of valence " << valence;
+  return counts.empty() ? "none" : text.str();
 }
 
 } // namespace Quadrille

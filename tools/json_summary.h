@@ -5,12 +5,15 @@
 #define QUADRILLE_TOOLS_JSON_SUMMARY_H
 
 #include "Quad_pipeline.h"
+#include "Surface_pipeline.h"
 
 #include <Quadrille/Mesh_quality.h>
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <optional>
+#include <string>
 
 namespace Quadrille {
 
@@ -25,9 +28,14 @@ Mesh_summary summarize(const Labelled_mesh& mesh, const Planar_domain* domain, c
 
 /// The entries of the JSON summary. Their keys are stable: scripts rely on them.
 nlohmann::ordered_json json_of(const Planar_domain& domain);
+nlohmann::ordered_json json_of(const Surface_domain& domain);
 nlohmann::ordered_json json_of(const Mesh_summary& mesh);
 /// "field", "map", "layout" and "quantization", as far as the run got.
 void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, nlohmann::ordered_json& summary);
+void add_stages(const Surface_pipeline_result& result, Field_solver_kind solver, nlohmann::ordered_json& summary);
+
+/// Numbers of singular vertices by valence, as a text for the report.
+std::string text_of_counts(const std::map<int, int>& counts);
 
 } // namespace Quadrille
 

@@ -5,26 +5,29 @@
 
 #include "Console.h"
 #include "Quad_pipeline.h"
+#include "domain_constraints.h"
 #include "json_summary.h"
 #include "output_files.h"
 #include "picture_file.h"
 #include "pipeline_output.h"
+#include "surface_run.h"
 #include "svg_picture.h"
 
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Size_specification.h>
-#include <Quadrille/domain_curves.h>
 #include <Quadrille/estimate_quads.h>
-#include <Quadrille/read_planar_domain.h>
+#include <Quadrille/read_domain.h>
 #include <Quadrille/read_size_field.h>
 #include <Quadrille/write_file.h>
 #include <Quadrille/write_mesh.h>
 
 #include <algorithm>
 #include <chrono>
-#include <set>
 #include <sstream>
+#include <string>
 #include <thread>
+#include <utility>
+#include <variant>
 
 namespace Quadrille {
 
@@ -45,36 +48,37 @@ void check_outputs(const Quad_arguments& arguments)
   check_output_files(paths, {arguments.input});
 }
 
-std::vector<Edge_frame_constraint> constraints_of(const Planar_domain& domain, const Domain_sizes& sizes)
+Size_specification sizes_of(const Quad_arguments& arguments)
 {
-  std::vector<Edge_frame_constraint> constraints(domain.mesh.number_of_edges());
-  for (std::size_t e = 0; e < constraints.size(); ++e) {
-    const bool is_on_curve = domain.edge_curve[e] >= 0;
-    const bool has_size = !sizes.of_edge[e][0].is_free() || !sizes.of_edge[e][1].is_free();
-    constraints[e] = {is_on_curve || has_size, is_on_curve, sizes.of_edge[e][0], sizes.of_edge[e][1]};
-  }
-  return constraints;
+  Size_specification specification;
+  for (const std::string& size : arguments.sizes)
+    specification.add(size);
+  return specification;
 }
 
-std::string counts_text(const std::map<int, int>& counts)
+std::variant<Planar_domain, Surface_domain> read(const Quad_arguments& arguments)
 {
-  std::ostringstream text;
-  for (const auto& [valence, n] : counts)
-    text << (text.tellp() > 0 ? ", " : "") << n << " of valence " << valence;
-  return counts.empty() ? "none" : text.str();
+  Planar_domain_options planar;
+  planar.triangle_size = arguments.triangle_size;
+  for (const auto& [name, size] : sizes_of(arguments).thin_curves())
+    planar.curve_triangle_size[name] = 1.5 * size; // the field is linear in each triangle
+  Surface_domain_options surface;
+  surface.triangle_size = arguments.triangle_size;
+  surface.crease_angle = arguments.crease_angle.value_or(surface.crease_angle);
+  return read_domain(arguments.input, planar, surface);
 }
 
-/// One run of the program: the state that its steps hand on.
+/// One run of the program on a planar domain: the state that its steps hand on.
 class Quad_run {
 public:
-  explicit Quad_run(const Quad_arguments& arguments)
-      : m_arguments(arguments), m_console(arguments.quiet), m_start(std::chrono::steady_clock::now())
+  Quad_run(const Quad_arguments& arguments, Planar_domain domain, std::chrono::steady_clock::time_point start)
+      : m_arguments(arguments), m_console(arguments.quiet), m_start(start), m_domain(std::move(domain))
   {
   }
 
   void run()
   {
-    read();
+    prepare();
     try {
       compute();
     } catch (const Error& error) {
@@ -89,22 +93,22 @@ public:
   }
 
 private:
-  void read()
+  void prepare()
   {
-    Planar_domain_options options;
-    options.triangle_size = m_arguments.triangle_size;
-    Size_specification specification;
-    for (const std::string& size : m_arguments.sizes)
-      specification.add(size);
-    for (const auto& [name, size] : specification.thin_curves())
-      options.curve_triangle_size[name] = 1.5 * size; // the field is linear in each triangle
-    m_domain = read_planar_domain(m_arguments.input, options);
+    for (const auto& [option, is_given] : {std::pair("--preset", m_arguments.preset.has_value()),
+                                           std::pair("--crease-angle", m_arguments.crease_angle.has_value())})
+      if (is_given)
+        throw Invalid_argument_error(std::string("option ") + option + " is for surfaces, and " + m_arguments.input +
+                                     " is a planar domain");
+    if (m_arguments.outputs.empty())
+      throw Invalid_argument_error("no output file is given; use -o OUT");
+    const Size_specification specification = sizes_of(m_arguments);
     if (const std::string item = specification.anisotropic_item(); !item.empty() && !m_arguments.anisotropic)
       throw Invalid_argument_error("size '" + item +
                                    "': different sizes across and along a curve need anisotropic frames; add "
                                    "--anisotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
-    remove_unaligned_curves();
+    remove_unaligned_curves(m_domain, m_arguments.unaligned);
     check_number_of_quads();
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     if (!m_arguments.size_field.empty())
@@ -126,19 +130,6 @@ private:
     for (const auto* notes : {&m_domain.notes, &m_sizes.notes})
       for (const std::string& note : *notes)
         m_console.print(note);
-  }
-
-  void remove_unaligned_curves()
-  {
-    std::set<int> curves;
-    for (const std::string& name : m_arguments.unaligned) {
-      const std::vector<int> named = curves_named(m_domain, name);
-      if (named.empty())
-        throw Invalid_argument_error("option --unaligned: there is no curve named '" + name + "' in " +
-                                     m_domain.source + " (" + list_of_curve_names(m_domain) + ")");
-      curves.insert(named.begin(), named.end());
-    }
-    remove_curves(m_domain, {curves.begin(), curves.end()});
   }
 
   /// A size that is too small by mistake should not cost hours and all memory.
@@ -205,7 +196,6 @@ private:
       return;
     Json json;
     json["input"] = json_of(m_domain);
-    json["input"]["triangle_size"] = m_domain.triangle_size;
     add_stages(m_result, m_arguments.solver, json);
     if (m_mesh_summary) {
       json["mesh"] = json_of(*m_mesh_summary);
@@ -236,7 +226,7 @@ private:
       line << m_result.smooth_integration_error;
     else
       line << "none";
-    line << "), singularities: " << counts_text(m_result.map->singularities);
+    line << "), singularities: " << text_of_counts(m_result.map->singularities);
     m_console.print(line.str());
     line.str("");
     const Mesh_quality& quality = m_mesh_summary->quality;
@@ -267,8 +257,13 @@ private:
 
 void run_quad_command(const Quad_arguments& arguments)
 {
+  const auto start = std::chrono::steady_clock::now();
   check_outputs(arguments);
-  Quad_run(arguments).run();
+  std::variant<Planar_domain, Surface_domain> domain = read(arguments);
+  if (auto* planar = std::get_if<Planar_domain>(&domain))
+    Quad_run(arguments, std::move(*planar), start).run();
+  else
+    run_on_surface(arguments, std::move(std::get<Surface_domain>(domain)), start);
 }
 
 } // namespace Quadrille

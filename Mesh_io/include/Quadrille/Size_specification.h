@@ -51,6 +51,9 @@ public:
 
   bool empty() const { return m_items.empty(); }
 
+  /// The size of the item without a name, which also holds where there are no curves; 0 if there is none.
+  double general_size() const;
+
   /// The first item that asks for different sizes across and along a curve, which no isotropic field can have; empty if
   /// there is none.
   std::string anisotropic_item() const;

@@ -225,6 +225,14 @@ inline void Size_specification::add(const std::string& text)
   m_items.push_back(std::move(item));
 }
 
+inline double Size_specification::general_size() const
+{
+  for (const Item& item : m_items)
+    if (item.name.empty())
+      return item.first.tangential;
+  return 0;
+}
+
 inline std::string Size_specification::anisotropic_item() const
 {
   for (const Item& item : m_items)

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_TOOLS_SURFACE_PIPELINE_H
+#define QUADRILLE_TOOLS_SURFACE_PIPELINE_H
+
+#include <Quadrille/Planar_domain.h>
+#include <Quadrille/Surface_domain.h>
+#include <Quadrille/odeco_surface_field.h>
+#include <Quadrille/seamless_parametrization.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace Quadrille {
+
+/// Number of melted starts of a surface's field unless the user says otherwise: fewer on many triangles.
+inline int default_number_of_surface_starts(std::size_t n_triangles)
+{
+  return n_triangles > 40000 ? 1 : n_triangles > 15000 ? 2 : Surface_field_options().starts;
+}
+
+struct Surface_pipeline_options {
+  Surface_field_options field; ///< its threads are used for the whole pipeline
+  Seamless_parametrization_options map;
+  bool make_map = true; ///< otherwise the field with the lowest energy is taken
+};
+
+/// What each stage of a run on a surface made; a stage that was not reached is empty.
+struct Surface_pipeline_result {
+  using Mesh = Surface_domain::Mesh;
+
+  std::optional<Surface_field_result> field;
+  std::vector<Gradient_pair> gradients; ///< per face, in the basis of `Surface_tangent_traits`
+  /// Inner vertices that are singular, with their valences, by the field alone; and four times the sum of all indices.
+  std::vector<std::pair<Surface_domain::vertex_descriptor, int>> singular_vertices;
+  int quarter_index_sum = 0;
+  /// Integration error of the smooth field's map, the reference for the chosen one; negative if it has no map.
+  double smooth_integration_error = -1;
+  std::optional<Seamless_map<Mesh>> map;
+  std::vector<Planar_domain::Point_2> corner_uv; ///< per halfedge: of the corner at its target
+};
+
+/// Field and map of a surface with the sizes of `constraints` (per edge). The field's starts are judged by the
+/// integration error of their maps. `result` is filled as far as the run gets, also when it throws.
+/// \throws No_result_error if the indices of the chosen field do not add up to the Euler characteristic, and as the
+/// stages do.
+void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
+                          const Surface_pipeline_options& options, Surface_pipeline_result& result);
+
+/// Per face a vector of the frame in space: the gradient over its squared length.
+std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_domain& domain,
+                                                                const std::vector<Gradient_pair>& gradients);
+
+} // namespace Quadrille
+
+#endif

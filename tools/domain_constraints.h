@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUADRILLE_TOOLS_DOMAIN_CONSTRAINTS_H
+#define QUADRILLE_TOOLS_DOMAIN_CONSTRAINTS_H
+
+#include <Quadrille/Frame_edge_constraints.h>
+#include <Quadrille/Size_specification.h>
+#include <Quadrille/domain_curves.h>
+#include <Quadrille/exceptions.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Quadrille {
+
+/// Frames follow the curves of a domain, and have the sizes that are prescribed there.
+template <class Domain>
+std::vector<Edge_frame_constraint> constraints_of(const Domain& domain, const Domain_sizes& sizes)
+{
+  std::vector<Edge_frame_constraint> constraints(domain.mesh.number_of_edges());
+  for (std::size_t e = 0; e < constraints.size(); ++e) {
+    const bool is_on_curve = domain.edge_curve[e] >= 0;
+    const bool has_size = !sizes.of_edge[e][0].is_free() || !sizes.of_edge[e][1].is_free();
+    constraints[e] = {is_on_curve || has_size, is_on_curve, sizes.of_edge[e][0], sizes.of_edge[e][1]};
+  }
+  return constraints;
+}
+
+/// Takes the curves out that the option --unaligned names. \throws Invalid_argument_error
+template <class Domain> void remove_unaligned_curves(Domain& domain, const std::vector<std::string>& names)
+{
+  std::set<int> curves;
+  for (const std::string& name : names) {
+    const std::vector<int> named = curves_named(domain, name);
+    if (named.empty())
+      throw Invalid_argument_error("option --unaligned: there is no curve named '" + name + "' in " + domain.source +
+                                   " (" + list_of_curve_names(domain) + ")");
+    curves.insert(named.begin(), named.end());
+  }
+  remove_curves(domain, {curves.begin(), curves.end()});
+}
+
+} // namespace Quadrille
+
+#endif

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Quadrille authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "surface_run.h"
+
+#include "Console.h"
+#include "Surface_pipeline.h"
+#include "domain_constraints.h"
+#include "json_summary.h"
+#include "picture_file.h"
+
+#include <Quadrille/Size_specification.h>
+#include <Quadrille/write_file.h>
+#include <Quadrille/write_mesh.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace Quadrille {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One run of the program on a surface: the state that its steps hand on.
+class Surface_run {
+public:
+  Surface_run(const Quad_arguments& arguments, Surface_domain domain, std::chrono::steady_clock::time_point start)
+      : m_arguments(arguments), m_console(arguments.quiet), m_start(start), m_domain(std::move(domain))
+  {
+  }
+
+  void run()
+  {
+    prepare();
+    try {
+      compute();
+    } catch (const Error& error) {
+      const auto* no_result = dynamic_cast<const No_result_error*>(&error);
+      m_summary["error"] = {{"stage", no_result ? no_result->stage() : "run"}, {"message", error.what()}};
+      write_summary();
+      throw;
+    }
+    write();
+    write_summary();
+    report();
+  }
+
+private:
+  /// Options of what is not done on surfaces are no mistakes that one should overlook.
+  void check_options() const
+  {
+    if (!m_arguments.outputs.empty())
+      throw Invalid_argument_error(m_arguments.outputs.front() + ": quads of surfaces cannot be made yet, and " +
+                                   m_arguments.input +
+                                   " is a surface; leave out -o, and write its field and map with --field, --map and "
+                                   "--picture");
+    const Quad_arguments defaults;
+    const std::pair<const char*, bool> given[] = {
+        {"--count", !m_arguments.counts.empty()},
+        {"--layout", m_arguments.layout != defaults.layout},
+        {"--quantizer", m_arguments.quantizer != defaults.quantizer},
+        {"--size-field", !m_arguments.size_field.empty()},
+        {"--solver lbfgs-kappa", m_arguments.solver == Field_solver_kind::lbfgs_kappa}};
+    for (const auto& [option, is_given] : given)
+      if (is_given)
+        throw Invalid_argument_error(std::string("option ") + option + " is for planar domains, and " +
+                                     m_arguments.input + " is a surface");
+  }
+
+  void prepare()
+  {
+    check_options();
+    Size_specification specification;
+    for (const std::string& size : m_arguments.sizes)
+      specification.add(size);
+    if (const std::string item = specification.anisotropic_item(); !item.empty() && m_arguments.isotropic)
+      throw Invalid_argument_error("size '" + item +
+                                   "': different sizes across and along a curve need anisotropic frames; leave out "
+                                   "--isotropic or give equal sizes");
+    m_sizes = specification.apply(m_domain);
+    m_typical_size = specification.general_size();
+    remove_unaligned_curves(m_domain, m_arguments.unaligned);
+    std::ostringstream line;
+    line << m_arguments.input << ": a surface of " << m_domain.mesh.number_of_faces() << " triangles, "
+         << m_domain.curves.size() << " curves";
+    m_console.print(line.str());
+    for (const auto* notes : {&m_domain.notes, &m_sizes.notes})
+      for (const std::string& note : *notes)
+        m_console.print(note);
+  }
+
+  void compute()
+  {
+    Surface_pipeline_options options;
+    options.field.isotropic = m_arguments.isotropic;
+    options.field.integrable = !m_arguments.smooth;
+    const bool has_sizes = std::any_of(m_sizes.of_edge.begin(), m_sizes.of_edge.end(),
+                                       [](const auto& ends) { return !ends[0].is_free() || !ends[1].is_free(); });
+    options.field.weights = m_arguments.preset.value_or(has_sizes ? Surface_field_weights::sizing()
+                                                                  : Surface_field_weights::angle_preserving());
+    options.field.typical_size = m_typical_size;
+    options.field.solver = m_arguments.solver;
+    options.field.terms_as_in_paper = m_arguments.solver == Field_solver_kind::lbfgs;
+    options.field.starts =
+        m_arguments.starts.value_or(default_number_of_surface_starts(m_domain.mesh.number_of_faces()));
+    options.field.seed = m_arguments.seed;
+    options.field.threads = m_arguments.threads;
+    options.field.observer = &m_console.observer();
+    run_surface_pipeline(m_domain, constraints_of(m_domain, m_sizes), options, m_result);
+  }
+
+  void write()
+  {
+    if (!m_arguments.field.empty()) {
+      const auto [u, v] = frame_vectors(m_domain, m_result.gradients);
+      std::vector<int> valence(m_domain.mesh.number_of_vertices(), 4);
+      for (const auto& [vertex, n] : m_result.singular_vertices)
+        valence[std::size_t(vertex.idx())] = n;
+      write_frame_field(m_arguments.field, m_domain, u, v, valence);
+    }
+    if (!m_arguments.map.empty())
+      write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
+  }
+
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
+
+  void write_summary()
+  {
+    if (m_arguments.json.empty())
+      return;
+    Json json;
+    json["input"] = json_of(m_domain);
+    add_stages(m_result, m_arguments.solver, json);
+    json.update(m_summary);
+    json["seconds"] = seconds();
+    json["threads"] = m_arguments.threads > 0 ? m_arguments.threads : int(std::thread::hardware_concurrency());
+    json["seed"] = m_arguments.seed;
+    json["version"] = QUADRILLE_VERSION;
+    write_file(m_arguments.json, json.dump(2) + "\n");
+  }
+
+  void report()
+  {
+    std::map<int, int> counts;
+    for (const auto& [vertex, valence] : m_result.singular_vertices)
+      ++counts[valence];
+    std::ostringstream line;
+    line.precision(3);
+    line << "singularities: " << text_of_counts(counts) << "; index sum " << 0.25 * m_result.quarter_index_sum;
+    if (m_result.map) {
+      line << ", integration error " << m_result.map->integration_error << " (smooth field: ";
+      if (m_result.smooth_integration_error >= 0)
+        line << m_result.smooth_integration_error;
+      else
+        line << "none";
+      line << ")";
+      if (const std::size_t n = m_result.map->flipped_faces.size(); n > 0)
+        line << ", " << n << " triangles of the map are flipped";
+    }
+    line << ", " << seconds() << " s";
+    m_console.print(line.str());
+  }
+
+  const Quad_arguments& m_arguments;
+  Console m_console;
+  std::chrono::steady_clock::time_point m_start;
+  Surface_domain m_domain;
+  Domain_sizes m_sizes;
+  double m_typical_size = 0;
+  Surface_pipeline_result m_result;
+  Json m_summary = Json::object();
+};
+
+} // namespace
+
+void run_on_surface(const Quad_arguments& arguments, Surface_domain domain, std::chrono::steady_clock::time_point start)
+{
+  Surface_run(arguments, std::move(domain), start).run();
+}
+
+} // namespace Quadrille
