@@ -10,6 +10,8 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -106,6 +108,34 @@ void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_f
   Candidate& chosen = candidates[std::size_t(result.field->chosen)];
   result.map = chosen.map ? std::move(chosen.map) : integrate(domain, result.gradients, options.map, chosen.corner_uv);
   result.corner_uv = std::move(chosen.corner_uv);
+}
+
+std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, const Domain_sizes& sizes,
+                                               const std::vector<Point_2>& corner_uv)
+{
+  Log_deviation deviation;
+  double total = 0;
+  for (const auto e : domain.mesh.edges()) {
+    if (corner_uv.empty() || !sizes.is_prescribed(e))
+      continue;
+    auto h = domain.mesh.halfedge(e);
+    if (domain.mesh.is_border(h))
+      h = domain.mesh.opposite(h);
+    const Point_2 &from = corner_uv[std::size_t(domain.mesh.prev(h).idx())], &to = corner_uv[std::size_t(h.idx())];
+    const double steps = std::sqrt(CGAL::squared_distance(from, to));
+    const double length = std::sqrt(CGAL::squared_distance(domain.mesh.point(domain.mesh.source(h)),
+                                                           domain.mesh.point(domain.mesh.target(h))));
+    const auto& prescribed = sizes.of_edge[std::size_t(e.idx())];
+    const double size = std::sqrt(prescribed[0].tangential * prescribed[1].tangential);
+    const double error = std::abs(std::log(length / steps / size));
+    deviation.mean += length * error;
+    deviation.max = std::max(deviation.max, error);
+    total += length;
+  }
+  if (total == 0)
+    return std::nullopt;
+  deviation.mean /= total;
+  return deviation;
 }
 
 std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_domain& domain,

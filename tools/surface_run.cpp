@@ -43,10 +43,14 @@ public:
     } catch (const Error& error) {
       const auto* no_result = dynamic_cast<const No_result_error*>(&error);
       m_summary["error"] = {{"stage", no_result ? no_result->stage() : "run"}, {"message", error.what()}};
+      if (!m_result.singular_vertices.empty() || m_result.quarter_index_sum != 0) // the field is complete
+        write_field();
       write_summary();
       throw;
     }
-    write();
+    write_field();
+    if (!m_arguments.map.empty())
+      write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
     write_summary();
     report();
   }
@@ -84,7 +88,7 @@ private:
                                    "': different sizes across and along a curve need anisotropic frames; leave out "
                                    "--isotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
-    m_typical_size = specification.general_size();
+    m_typical_size = specification.typical_size(m_domain);
     remove_unaligned_curves(m_domain, m_arguments.unaligned);
     std::ostringstream line;
     line << m_arguments.input << ": a surface of " << m_domain.mesh.number_of_faces() << " triangles, "
@@ -113,19 +117,18 @@ private:
     options.field.threads = m_arguments.threads;
     options.field.observer = &m_console.observer();
     run_surface_pipeline(m_domain, constraints_of(m_domain, m_sizes), options, m_result);
+    m_result.size_error = measure_map_sizes(m_domain, m_sizes, m_result.corner_uv);
   }
 
-  void write()
+  void write_field() const
   {
-    if (!m_arguments.field.empty()) {
-      const auto [u, v] = frame_vectors(m_domain, m_result.gradients);
-      std::vector<int> valence(m_domain.mesh.number_of_vertices(), 4);
-      for (const auto& [vertex, n] : m_result.singular_vertices)
-        valence[std::size_t(vertex.idx())] = n;
-      write_frame_field(m_arguments.field, m_domain, u, v, valence);
-    }
-    if (!m_arguments.map.empty())
-      write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
+    if (m_arguments.field.empty())
+      return;
+    const auto [u, v] = frame_vectors(m_domain, m_result.gradients);
+    std::vector<int> valence(m_domain.mesh.number_of_vertices(), 4);
+    for (const auto& [vertex, n] : m_result.singular_vertices)
+      valence[std::size_t(vertex.idx())] = n;
+    write_frame_field(m_arguments.field, m_domain, u, v, valence);
   }
 
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
@@ -160,6 +163,8 @@ private:
       else
         line << "none";
       line << ")";
+      if (m_result.size_error)
+        line << ", size error on curves mean " << m_result.size_error->mean << " max " << m_result.size_error->max;
       if (const std::size_t n = m_result.map->flipped_faces.size(); n > 0)
         line << ", " << n << " triangles of the map are flipped";
     }

@@ -31,7 +31,7 @@ struct Domain_sizes {
 
 /// What the user says about element sizes, in the notation of the program's option `--size`.
 ///
-/// * `S`: size S on every curve (border and inside) that no other item names;
+/// * `S`, `NxT`: size S, or N across and T along, on every curve (border and inside) that no other item names;
 /// * `NAME=S`: size S on the curves of physical group NAME, or on the curve with tag NAME;
 /// * `NAME=A:B`: from A at the first to B at the last point, linear in arc length. The curves of a group are taken
 ///   together where they join end to end; the curve with the smallest tag says which way is forward;
@@ -51,8 +51,8 @@ public:
 
   bool empty() const { return m_items.empty(); }
 
-  /// The size of the item without a name, which also holds where there are no curves; 0 if there is none.
-  double general_size() const;
+  /// A size for what has no curves: that of the item without a name, or else the bounding box's diagonal / 40.
+  template <class Point> double typical_size(const Triangulated_domain<Point>& domain) const;
 
   /// The first item that asks for different sizes across and along a curve, which no isotropic field can have; empty if
   /// there is none.

@@ -215,8 +215,8 @@ inline void Size_specification::add(const std::string& text)
       throw Invalid_argument_error("size '" + text + "': there is no name before '='");
   }
   const std::size_t colon = value.find(':');
-  if (item.name.empty() && (colon != std::string::npos || value.find('x') != std::string::npos))
-    throw Invalid_argument_error("size '" + text + "': A:B and NxT need the name of a curve, as in NAME=" + text);
+  if (item.name.empty() && colon != std::string::npos)
+    throw Invalid_argument_error("size '" + text + "': A:B needs the name of a curve, as in NAME=" + text);
   item.first = item.last = internal::parse_frame_size(value.substr(0, colon), text);
   if (colon != std::string::npos)
     item.last = internal::parse_frame_size(value.substr(colon + 1), text);
@@ -225,12 +225,12 @@ inline void Size_specification::add(const std::string& text)
   m_items.push_back(std::move(item));
 }
 
-inline double Size_specification::general_size() const
+template <class Point> double Size_specification::typical_size(const Triangulated_domain<Point>& domain) const
 {
   for (const Item& item : m_items)
-    if (item.name.empty())
-      return item.first.tangential;
-  return 0;
+    if (item.name.empty() && !item.first.is_free())
+      return item.first.tangential > 0 ? item.first.tangential : item.first.normal;
+  return internal::default_size(domain);
 }
 
 inline std::string Size_specification::anisotropic_item() const
