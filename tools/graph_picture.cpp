@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Picture_view.h"
 #include "cross_output.h"
 
 #include <Eigen/Core>
@@ -44,55 +45,16 @@ std::vector<Triangle> boundary_of(const Tetrahedral_mesh& mesh)
   return result;
 }
 
-/// A view from the front, the right and above, without perspective.
-class View {
-public:
-  explicit View(const Tetrahedral_mesh& mesh)
-  {
-    const Eigen::Vector3d toward(0.45, -0.8, 0.4);
-    const Eigen::Vector3d z = toward.normalized(), x = Eigen::Vector3d::UnitZ().cross(z).normalized();
-    m_rotation << x.transpose(), z.cross(x).transpose(), z.transpose();
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL), high = -low;
-    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      const Eigen::Vector3d p = m_rotation * mesh.point(v);
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    m_low = low;
-    m_high = high;
-    m_scale = size / std::max({high[0] - low[0], high[1] - low[1], 1e-300});
-  }
-
-  double width() const { return (m_high[0] - m_low[0]) * m_scale + 2 * margin; }
-  double height() const { return (m_high[1] - m_low[1]) * m_scale + 2 * margin; }
-
-  /// x and y on the page; z towards the viewer.
-  Eigen::Vector3d operator()(const Eigen::Vector3d& p) const
-  {
-    const Eigen::Vector3d q = m_rotation * p;
-    return {(q[0] - m_low[0]) * m_scale + margin, (m_high[1] - q[1]) * m_scale + margin, q[2] * m_scale};
-  }
-
-  Eigen::Vector3d turned(const Eigen::Vector3d& direction) const { return m_rotation * direction; }
-
-private:
-  static constexpr double size = 860, margin = 20;
-  Eigen::Matrix3d m_rotation;
-  Eigen::Vector3d m_low, m_high;
-  double m_scale = 1;
-};
-
 class Graph_picture {
 public:
   Graph_picture(const Tetrahedral_mesh& mesh, const Singular_graph& graph, double crease_angle)
-      : m_mesh(mesh), m_graph(graph), m_view(mesh), m_cosine(std::cos(crease_angle * std::acos(-1.0) / 180))
+      : m_mesh(mesh), m_graph(graph), m_view(mesh.points), m_cosine(std::cos(crease_angle * std::acos(-1.0) / 180))
   {
   }
 
   std::string draw()
   {
-    const std::string size = "width=\"" + number(m_view.width()) + "\" height=\"" + number(m_view.height()) + "\"";
-    m_text = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + ">\n<rect " + size + " fill=\"#fff\"/>\n";
+    m_text = m_view.page();
     const std::vector<Triangle> boundary = boundary_of(m_mesh);
     std::vector<Eigen::Vector3d> normals;
     for (const Triangle& t : boundary) {
@@ -107,14 +69,7 @@ public:
   }
 
 private:
-  static std::string number(double x)
-  {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", x);
-    return text;
-  }
-
-  static std::string point(const Eigen::Vector3d& p) { return number(p[0]) + " " + number(p[1]); }
+  static std::string point(const Eigen::Vector3d& p) { return Picture_view::place(p); }
 
   /// The far side, shaded, so that the inside is open to view.
   void draw_surface(const std::vector<Triangle>& boundary, const std::vector<Eigen::Vector3d>& normals)
@@ -191,14 +146,12 @@ private:
 
   void dot(const Eigen::Vector3d& p, int radius, const char* fill)
   {
-    const Eigen::Vector3d q = m_view(p);
-    m_text += "<circle r=\"" + std::to_string(radius) + "\" cx=\"" + number(q[0]) + "\" cy=\"" + number(q[1]) +
-              "\" fill=\"" + fill + "\"/>\n";
+    m_text += Picture_view::dot(m_view(p), radius, fill);
   }
 
   const Tetrahedral_mesh& m_mesh;
   const Singular_graph& m_graph;
-  View m_view;
+  Picture_view m_view;
   double m_cosine;
   std::string m_text;
 };
