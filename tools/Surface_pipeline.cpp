@@ -154,4 +154,42 @@ std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_do
   return vectors;
 }
 
+Surface_drawing surface_drawing(const Surface_domain& domain, const Surface_pipeline_result& result)
+{
+  const Mesh& mesh = domain.mesh;
+  Surface_drawing drawing;
+  for (const auto v : mesh.vertices())
+    drawing.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  double steps = 0; // area in (u, v)
+  for (const auto f : mesh.faces()) {
+    drawing.triangles.emplace_back();
+    std::array<Eigen::Vector2d, 3> uv;
+    std::size_t k = 0;
+    for (const auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      drawing.triangles.back()[k] = int(mesh.target(h).idx());
+      if (!result.corner_uv.empty())
+        uv[k] = {result.corner_uv[std::size_t(h.idx())].x(), result.corner_uv[std::size_t(h.idx())].y()};
+      ++k;
+    }
+    if (!result.corner_uv.empty()) {
+      const Eigen::Vector2d a = uv[1] - uv[0], b = uv[2] - uv[0];
+      steps += 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
+      drawing.uv.push_back(uv);
+    }
+  }
+  const double lines_to_see = 60; // across, of a surface seen from the front
+  drawing.isoline_spacing = std::max(1.0, std::round(std::sqrt(steps / 2) / lines_to_see));
+  for (const auto e : mesh.edges())
+    if (domain.edge_curve[std::size_t(e.idx())] >= 0)
+      drawing.feature_edges.push_back({int(mesh.vertex(e, 0).idx()), int(mesh.vertex(e, 1).idx())});
+  for (const auto& [vertex, valence] : result.singular_vertices)
+    drawing.singular_vertices.emplace_back(int(vertex.idx()), valence);
+  if (drawing.uv.empty()) {
+    const auto [u, v] = frame_vectors(domain, result.gradients);
+    for (std::size_t f = 0; f < u.size(); ++f)
+      drawing.frames.push_back({Eigen::Vector3d(u[f].data()), Eigen::Vector3d(v[f].data())});
+  }
+  return drawing;
+}
+
 } // namespace Quadrille

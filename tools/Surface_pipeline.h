@@ -4,6 +4,8 @@
 #ifndef QUADRILLE_TOOLS_SURFACE_PIPELINE_H
 #define QUADRILLE_TOOLS_SURFACE_PIPELINE_H
 
+#include "surface_picture.h"
+
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Size_specification.h>
@@ -62,6 +64,9 @@ std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, con
 /// Per face a vector of the frame in space: the gradient over its squared length.
 std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_domain& domain,
                                                                 const std::vector<Gradient_pair>& gradients);
+
+/// What there is to see of a run, as far as it got: the frames, or the isolines of the map where there is one.
+Surface_drawing surface_drawing(const Surface_domain& domain, const Surface_pipeline_result& result);
 
 } // namespace Quadrille
 

@@ -8,6 +8,7 @@
 #include "domain_constraints.h"
 #include "json_summary.h"
 #include "picture_file.h"
+#include "surface_picture.h"
 
 #include <Quadrille/Size_specification.h>
 #include <Quadrille/write_file.h>
@@ -44,11 +45,11 @@ public:
       const auto* no_result = dynamic_cast<const No_result_error*>(&error);
       m_summary["error"] = {{"stage", no_result ? no_result->stage() : "run"}, {"message", error.what()}};
       if (!m_result.singular_vertices.empty() || m_result.quarter_index_sum != 0) // the field is complete
-        write_field();
+        write_field_and_picture();
       write_summary();
       throw;
     }
-    write_field();
+    write_field_and_picture();
     if (!m_arguments.map.empty())
       write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
     write_summary();
@@ -120,15 +121,17 @@ private:
     m_result.size_error = measure_map_sizes(m_domain, m_sizes, m_result.corner_uv);
   }
 
-  void write_field() const
+  void write_field_and_picture() const
   {
-    if (m_arguments.field.empty())
-      return;
     const auto [u, v] = frame_vectors(m_domain, m_result.gradients);
-    std::vector<int> valence(m_domain.mesh.number_of_vertices(), 4);
-    for (const auto& [vertex, n] : m_result.singular_vertices)
-      valence[std::size_t(vertex.idx())] = n;
-    write_frame_field(m_arguments.field, m_domain, u, v, valence);
+    if (!m_arguments.field.empty()) {
+      std::vector<int> valence(m_domain.mesh.number_of_vertices(), 4);
+      for (const auto& [vertex, n] : m_result.singular_vertices)
+        valence[std::size_t(vertex.idx())] = n;
+      write_frame_field(m_arguments.field, m_domain, u, v, valence);
+    }
+    if (!m_arguments.picture.empty())
+      write_picture_file(m_arguments.picture, surface_picture(surface_drawing(m_domain, m_result)));
   }
 
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }

@@ -5,6 +5,11 @@
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_SPACE_TENSOR_H
 
 #include <Quadrille/Odeco_frame_field/internal/Tensor_coefficients.h>
+#include <Quadrille/odeco_tensors_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace Quadrille {
 namespace internal {
@@ -97,93 +102,23 @@ template <class S> Cubic_tensor<S> contract(const Space_tensor<S>& t, const Spac
   return result;
 }
 
-/// The quadrics of the odeco variety in space; surface, eq. (20).
-///
-/// For an odeco tensor G_KL = sum_s T_Ks T_Ls, with K and L three indices each, is symmetric in all six of them: the
-/// sum of the sixth powers of the axes times squared eigenvalues. Pairs {K, L} with the same six indices have to agree,
-/// and the residuals are their differences, in coordinates in which the sum of squares is the squared norm of G minus
-/// its symmetric part: 27 of them.
-struct Odeco_quadrics {
-  static constexpr int count = 27;
-  struct Cubic_pair {
-    int first, second; ///< entries of order 3
-  };
-  /// Row r: sum over p of coefficient[p] G_(pair[p]).
-  struct Row {
-    int n_pairs = 0;
-    Cubic_pair pair[4] = {};
-    double coefficient[4] = {};
-  };
-  Row rows[std::size_t(count)] = {};
+/// The quadrics of the odeco variety; surface, eq. (20).
+constexpr int odeco_quadrics_count = Odeco_quadrics_3::number;
 
-  Odeco_quadrics()
-  {
-    int next = 0;
-    for (int n = 0; n <= 6; ++n)
-      for (int c = 0; c <= n; ++c)
-        next = add_rows_with(n, c, next);
-  }
-
-private:
-  /// For the six indices with c equal to 3 and n - c to 2.
-  int add_rows_with(int n, int c, int next)
-  {
-    Cubic_pair pairs[4];
-    double weight[4]; // components of G that a pair stands for
-    int n_pairs = 0;
-    for (int n1 = 0; n1 <= 3; ++n1)
-      for (int c1 = 0; c1 <= n1; ++c1) {
-        const int n2 = n - n1, c2 = c - c1;
-        if (n2 < 0 || n2 > 3 || c2 < 0 || c2 > n2)
-          continue;
-        const int first = n1 * (n1 + 1) / 2 + c1, second = n2 * (n2 + 1) / 2 + c2;
-        if (first > second)
-          continue;
-        weight[n_pairs] = (first == second ? 1 : 2) * cubic_multiplicity[first] * cubic_multiplicity[second];
-        pairs[n_pairs++] = {first, second};
-      }
-    // Helmert's contrasts: pair p against the weighted mean of those before it.
-    double sum = n_pairs > 0 ? weight[0] : 0;
-    for (int p = 1; p < n_pairs; ++p) {
-      Row& row = rows[next++];
-      const double scale = std::sqrt(weight[p] * sum / (weight[p] + sum));
-      row.n_pairs = p + 1;
-      for (int i = 0; i < p; ++i) {
-        row.pair[i] = pairs[i];
-        row.coefficient[i] = -scale * weight[i] / sum;
-      }
-      row.pair[p] = pairs[p];
-      row.coefficient[p] = scale;
-      sum += weight[p];
-    }
-    return next;
-  }
-};
-inline const Odeco_quadrics odeco_quadrics;
-
-/// The residuals of `odeco_quadrics`, and their derivatives by the entries of T unless `by_tensor` is null.
+/// Their values, and their derivatives by the entries of T unless `by_tensor` is null.
 template <class S>
-void odeco_residuals(const Space_tensor<S>& t, Tuple<S, Odeco_quadrics::count>& value,
-                     Tuple<Space_tensor<S>, Odeco_quadrics::count>* by_tensor)
+void odeco_residuals(const Space_tensor<S>& t, Tuple<S, odeco_quadrics_count>& value,
+                     Tuple<Space_tensor<S>, odeco_quadrics_count>* by_tensor)
 {
-  for (int r = 0; r < Odeco_quadrics::count; ++r) {
-    const Odeco_quadrics::Row& row = odeco_quadrics.rows[r];
-    S sum = 0;
-    if (by_tensor)
-      (*by_tensor)[r] = {};
-    for (int p = 0; p < row.n_pairs; ++p) {
-      const double coefficient = row.coefficient[p];
-      for (int s = 0; s < 3; ++s) {
-        const int a = with_index(row.pair[p].first, s), b = with_index(row.pair[p].second, s);
-        sum += coefficient * (t[a] * t[b]);
-        if (by_tensor) {
-          (*by_tensor)[r][a] += coefficient * t[b];
-          (*by_tensor)[r][b] += coefficient * t[a];
-        }
-      }
-    }
-    value[r] = sum;
-  }
+  std::array<S, 15> entries;
+  std::copy(t.values, t.values + 15, entries.begin());
+  const auto values = odeco_quadrics_3().values(entries);
+  std::copy(values.begin(), values.end(), value.values);
+  if (!by_tensor)
+    return;
+  const auto jacobian = odeco_quadrics_3().jacobian(entries);
+  for (int r = 0; r < odeco_quadrics_count; ++r)
+    std::copy(jacobian[std::size_t(r)].begin(), jacobian[std::size_t(r)].end(), (*by_tensor)[r].values);
 }
 
 } // namespace internal

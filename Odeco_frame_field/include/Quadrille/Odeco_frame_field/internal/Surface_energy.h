@@ -38,7 +38,7 @@ template <class S> Space_tensor<S> harmonic_row(int j, const S& factor)
 /// The rows of a `Surface_energy` in their order.
 struct Surface_energy_rows {
   static constexpr int points = 3;
-  static constexpr int first_odeco = 3 * points, first_size = first_odeco + Odeco_quadrics::count * points,
+  static constexpr int first_odeco = 3 * points, first_size = first_odeco + odeco_quadrics_count * points,
                        first_angle = first_size + points, first_smooth = first_angle + 2 * points,
                        count = first_smooth + 2 * 15;
 };
@@ -190,9 +190,9 @@ private:
 /// (52).
 template <int N>
 class Surface_smoothness
-    : public Triangle_energy<Surface_smoothness<N>, Surface_elements<N>, 2 * 15 + 3 * Odeco_quadrics::count> {
+    : public Triangle_energy<Surface_smoothness<N>, Surface_elements<N>, 2 * 15 + 3 * odeco_quadrics_count> {
   using Pieces = Surface_residuals<N>;
-  using Base = Triangle_energy<Surface_smoothness<N>, Surface_elements<N>, 2 * 15 + 3 * Odeco_quadrics::count>;
+  using Base = Triangle_energy<Surface_smoothness<N>, Surface_elements<N>, 2 * 15 + 3 * odeco_quadrics_count>;
 
 public:
   explicit Surface_smoothness(const Surface_elements<N>& elements, double odeco_weight)

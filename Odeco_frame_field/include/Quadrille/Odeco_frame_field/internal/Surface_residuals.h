@@ -42,7 +42,7 @@ template <class S> struct Surface_point {
 template <int N> struct Surface_residuals {
   static constexpr int points = 3;
   static constexpr int curl_rows = 3 * points;
-  static constexpr int odeco_rows = Odeco_quadrics::count * points;
+  static constexpr int odeco_rows = odeco_quadrics_count * points;
   static constexpr int smoothness_rows = 2 * 15;
   static constexpr const auto& weights = Field_residuals<N>::weights;
 
@@ -99,20 +99,20 @@ template <int N> struct Surface_residuals {
   static void odeco_by_area(const Tuple<Surface_point<S>, points>& at, const S& factor, Rows& rows)
   {
     for (int p = 0; p < points; ++p) {
-      Tuple<S, Odeco_quadrics::count> value;
+      Tuple<S, odeco_quadrics_count> value;
       const S scale = planar_scale * factor / at[p].area;
       if constexpr (Rows::with_derivatives) {
-        Tuple<Space_tensor<S>, Odeco_quadrics::count> by_tensor;
+        Tuple<Space_tensor<S>, odeco_quadrics_count> by_tensor;
         odeco_residuals(at[p].tensor, value, &by_tensor);
         const Space_tensor<S> by_log = at[p].log_area_derivatives();
-        for (int r = 0; r < Odeco_quadrics::count; ++r) {
+        for (int r = 0; r < odeco_quadrics_count; ++r) {
           Space_tensor<S> row = scaled(scale, by_tensor[r]);
           add_scaled(row, -scale * value[r], by_log);
           rows.add(scale * value[r], weights[p], row);
         }
       } else {
         odeco_residuals<S>(at[p].tensor, value, nullptr);
-        for (int r = 0; r < Odeco_quadrics::count; ++r)
+        for (int r = 0; r < odeco_quadrics_count; ++r)
           rows.add(scale * value[r]);
       }
     }
@@ -123,23 +123,23 @@ template <int N> struct Surface_residuals {
   static void odeco_by_norm(const Tuple<Surface_point<S>, points>& at, const S& factor, Rows& rows)
   {
     for (int p = 0; p < points; ++p) {
-      Tuple<S, Odeco_quadrics::count> value;
+      Tuple<S, odeco_quadrics_count> value;
       Space_tensor<S> weighted = at[p].tensor;
       for (int e = 0; e < 15; ++e)
         weighted[e] = space_multiplicity[e] * weighted[e];
       const S inverse_square = 1 / dot(weighted, at[p].tensor);
       const S scale = factor * inverse_square;
       if constexpr (Rows::with_derivatives) {
-        Tuple<Space_tensor<S>, Odeco_quadrics::count> by_tensor;
+        Tuple<Space_tensor<S>, odeco_quadrics_count> by_tensor;
         odeco_residuals(at[p].tensor, value, &by_tensor);
-        for (int r = 0; r < Odeco_quadrics::count; ++r) {
+        for (int r = 0; r < odeco_quadrics_count; ++r) {
           Space_tensor<S> row = scaled(scale, by_tensor[r]);
           add_scaled(row, -2 * scale * value[r] * inverse_square, weighted);
           rows.add(scale * value[r], weights[p], row);
         }
       } else {
         odeco_residuals<S>(at[p].tensor, value, nullptr);
-        for (int r = 0; r < Odeco_quadrics::count; ++r)
+        for (int r = 0; r < odeco_quadrics_count; ++r)
           rows.add(scale * value[r]);
       }
     }

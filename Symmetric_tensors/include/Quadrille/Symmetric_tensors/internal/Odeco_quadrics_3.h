@@ -78,6 +78,7 @@ public:
   {
     std::array<std::array<S, 15>, number> result;
     std::array<S, 15> mean;
+    mean.fill(S(0.0));
     std::size_t row = 0;
     for (const Product& product : m_products) {
       std::array<S, 15> g;
