@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "energy_checks.h"
 #include "field_test_meshes.h"
 
 #include <Quadrille/check_jacobian.h>
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <random>
 
 namespace {
@@ -33,37 +33,6 @@ Eigen::VectorXd sample(const Field_elements<N>& elements, const Triangles& trian
     elements.assign_coefficients(v, Tensor_coefficients<N>::from_harmonics(odeco_harmonics(frame(triangles.points[v]))),
                                  x);
   return x;
-}
-
-/// Energies, gradients and Gauss-Newton matrices of batches against those of single elements' residuals and Jacobians.
-template <class Term> void expect_equal_batches(const Term& term, const std::vector<typename Term::Unknowns>& x)
-{
-  constexpr int n = Term::max_unknowns;
-  std::vector<Element_contribution<n>> results(x.size());
-  ASSERT_TRUE(term.evaluate_batch(0, int(x.size()), x.data(), Detail::matrix, results.data()));
-  std::array<int, std::size_t(n)> index;
-  for (std::size_t e = 0; e < x.size(); ++e) {
-    typename Term::Residuals r;
-    typename Term::Jacobian J;
-    ASSERT_TRUE(term.evaluate(e, x[e], r, &J));
-    const int count = term.element_unknowns(e, index);
-    const auto columns = J.leftCols(count);
-    EXPECT_NEAR(results[e].energy, 0.5 * r.squaredNorm(), 1e-12 * r.squaredNorm());
-    EXPECT_LT((results[e].gradient.head(count) - columns.transpose() * r).norm(), 1e-12 * J.norm() * r.norm());
-    const Eigen::MatrixXd matrix =
-        results[e].matrix.topLeftCorner(count, count).template selfadjointView<Eigen::Lower>();
-    EXPECT_LT((matrix - columns.transpose() * columns).norm(), 1e-12 * J.squaredNorm());
-    Element_contribution<n> alone;
-    ASSERT_TRUE(term.evaluate_batch(e, 1, &x[e], Detail::gradient, &alone));
-    EXPECT_EQ(alone.energy, results[e].energy);
-    EXPECT_EQ(alone.gradient.head(count), results[e].gradient.head(count));
-    ASSERT_TRUE(term.evaluate_batch(e, 1, &x[e], Detail::energy, &alone));
-    EXPECT_NEAR(alone.energy, results[e].energy, 1e-12 * r.squaredNorm());
-  }
-  std::vector<typename Term::Unknowns> outside = x;
-  outside.back() *= -1;
-  EXPECT_EQ(term.evaluate_batch(0, int(x.size()), outside.data(), Detail::gradient, results.data()),
-            term.evaluate(x.size() - 1, outside.back(), *std::make_unique<typename Term::Residuals>(), nullptr));
 }
 
 /// Jacobians on two triangles against finite differences. `make_energy(elements)` gives the term.
