@@ -123,8 +123,8 @@ std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, con
       h = domain.mesh.opposite(h);
     const Point_2 &from = corner_uv[std::size_t(domain.mesh.prev(h).idx())], &to = corner_uv[std::size_t(h.idx())];
     const double steps = std::sqrt(CGAL::squared_distance(from, to));
-    const double length = std::sqrt(CGAL::squared_distance(domain.mesh.point(domain.mesh.source(h)),
-                                                           domain.mesh.point(domain.mesh.target(h))));
+    const double length = std::sqrt(
+        CGAL::squared_distance(domain.mesh.point(domain.mesh.source(h)), domain.mesh.point(domain.mesh.target(h))));
     const auto& prescribed = sizes.of_edge[std::size_t(e.idx())];
     const double size = std::sqrt(prescribed[0].tangential * prescribed[1].tangential);
     const double error = std::abs(std::log(length / steps / size));

@@ -46,7 +46,7 @@ struct Surface_pipeline_result {
   double smooth_integration_error = -1;
   std::optional<Seamless_map<Mesh>> map;
   std::vector<Planar_domain::Point_2> corner_uv; ///< per halfedge: of the corner at its target
-  std::optional<Log_deviation> size_error; ///< see `measure_map_sizes()`
+  std::optional<Log_deviation> size_error;       ///< see `measure_map_sizes()`
 };
 
 /// Field and map of a surface with the sizes of `constraints` (per edge). The field's starts are judged by the
@@ -59,7 +59,7 @@ void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_f
 /// |log(size / prescribed size)| along curves where a size is prescribed, with the sizes of the map: length over
 /// length in (u, v). Nothing where none is.
 std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, const Domain_sizes& sizes,
-                                                        const std::vector<Planar_domain::Point_2>& corner_uv);
+                                               const std::vector<Planar_domain::Point_2>& corner_uv);
 
 /// Per face a vector of the frame in space: the gradient over its squared length.
 std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_domain& domain,
