@@ -9,6 +9,7 @@
 #include <Quadrille/Curve_projector.h>
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Size_specification.h>
+#include <Quadrille/odeco_frame_field.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -6,8 +6,9 @@
 
 #include "quantizer_option.h"
 
+#include <Quadrille/Frame_edge_constraints.h>
+#include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Planar_domain.h>
-#include <Quadrille/odeco_frame_field.h>
 #include <Quadrille/quad_extraction.h>
 #include <Quadrille/seamless_parametrization.h>
 

@@ -5,6 +5,7 @@
 
 #include <Quadrille/Surface_tangent_traits.h>
 #include <Quadrille/frame_field_topology.h>
+#include <Quadrille/odeco_surface_field.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -6,11 +6,12 @@
 
 #include "surface_picture.h"
 
+#include <Quadrille/Frame_edge_constraints.h>
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Size_specification.h>
 #include <Quadrille/Surface_domain.h>
-#include <Quadrille/odeco_surface_field.h>
+#include <Quadrille/Surface_field_options.h>
 #include <Quadrille/seamless_parametrization.h>
 
 #include <Eigen/Core>

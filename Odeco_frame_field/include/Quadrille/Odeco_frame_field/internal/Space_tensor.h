@@ -5,7 +5,8 @@
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_SPACE_TENSOR_H
 
 #include <Quadrille/Odeco_frame_field/internal/Tensor_coefficients.h>
-#include <Quadrille/odeco_tensors_3.h>
+#include <Quadrille/Symmetric_tensor_3.h>
+#include <Quadrille/Symmetric_tensors/internal/Odeco_quadrics_3.h>
 
 #include <algorithm>
 #include <array>
@@ -66,7 +67,7 @@ template <class S> Space_matrix<S> second_order_part(const Space_tensor<S>& t)
 }
 /// Its derivative by the entries of T, times a vector: row i of the result belongs to component i.
 template <class S>
-void add_second_order_derivative(const Space_vector<S>& v, const S& factor, Tuple<Space_tensor<S>, 3>& rows)
+[[gnu::noinline]] void add_second_order_derivative(const Space_vector<S>& v, const S& factor, Tuple<Space_tensor<S>, 3>& rows)
 {
   constexpr int parts[6][3] = {{0, 3, 5}, {1, 6, 8}, {2, 7, 9}, {3, 10, 12}, {4, 11, 13}, {5, 12, 14}};
   for (int i = 0; i < 3; ++i)
@@ -94,7 +95,7 @@ template <class S> struct Inverse_matrix {
 };
 
 /// T d, one index less.
-template <class S> Cubic_tensor<S> contract(const Space_tensor<S>& t, const Space_vector<S>& d)
+template <class S> [[gnu::noinline]] Cubic_tensor<S> contract(const Space_tensor<S>& t, const Space_vector<S>& d)
 {
   Cubic_tensor<S> result;
   for (int k = 0; k < 10; ++k)
@@ -107,7 +108,7 @@ constexpr int odeco_quadrics_count = Odeco_quadrics_3::number;
 
 /// Their values, and their derivatives by the entries of T unless `by_tensor` is null.
 template <class S>
-void odeco_residuals(const Space_tensor<S>& t, Tuple<S, odeco_quadrics_count>& value,
+[[gnu::noinline]] void odeco_residuals(const Space_tensor<S>& t, Tuple<S, odeco_quadrics_count>& value,
                      Tuple<Space_tensor<S>, odeco_quadrics_count>* by_tensor)
 {
   std::array<S, 15> entries;

@@ -92,7 +92,7 @@ public:
 
 private:
   template <class S, class Rows>
-  void add_area(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, Pieces::points>& at,
+  [[gnu::noinline]] void add_area(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, Pieces::points>& at,
                 Rows& rows) const
   {
     const auto& elements = this->elements();
@@ -126,7 +126,7 @@ private:
 
   /// surface, eq. (54), as far as it is about the tangent plane: the part of degree 2 of the tensor's restriction.
   template <class S, class Rows>
-  void add_angle(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, Pieces::points>& at,
+  [[gnu::noinline]] void add_angle(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, Pieces::points>& at,
                  Rows& rows) const
   {
     if (m_weights.angle == 0) {

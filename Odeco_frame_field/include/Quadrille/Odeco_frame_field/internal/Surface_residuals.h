@@ -48,7 +48,7 @@ template <int N> struct Surface_residuals {
 
   /// The normalised curl energy; surface, eqs. (45), (46): w_i = T_ijkl C_jkl, r = M^-2 w.
   template <class S, class Rows>
-  static void curl(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, points>& at, Rows& rows)
+  [[gnu::noinline]] static void curl(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, points>& at, Rows& rows)
   {
     const Cubic_tensor<S> curl = triangle.curl();
     Cubic_tensor<S> weighted_curl;
@@ -96,7 +96,7 @@ template <int N> struct Surface_residuals {
   /// The odeco penalty times `factor` squared, with c(T) over the area. The paper's c(T / |T|), eq. (52), lets a field
   /// lower it by shrinking in the tangent plane until only the normal's part is left.
   template <class S, class Rows>
-  static void odeco_by_area(const Tuple<Surface_point<S>, points>& at, const S& factor, Rows& rows)
+  [[gnu::noinline]] static void odeco_by_area(const Tuple<Surface_point<S>, points>& at, const S& factor, Rows& rows)
   {
     for (int p = 0; p < points; ++p) {
       Tuple<S, odeco_quadrics_count> value;
@@ -120,7 +120,7 @@ template <int N> struct Surface_residuals {
 
   /// The odeco penalty of surface, eq. (52), times `factor` squared.
   template <class S, class Rows>
-  static void odeco_by_norm(const Tuple<Surface_point<S>, points>& at, const S& factor, Rows& rows)
+  [[gnu::noinline]] static void odeco_by_norm(const Tuple<Surface_point<S>, points>& at, const S& factor, Rows& rows)
   {
     for (int p = 0; p < points; ++p) {
       Tuple<S, odeco_quadrics_count> value;
@@ -155,7 +155,7 @@ private:
     return {{dot(a, a), dot(a, b), dot(a, c), dot(b, b), dot(b, c), dot(c, c)}};
   }
   template <class S>
-  static Tuple<Space_tensor<S>, 3> row_product(const Space_matrix<S>& m, const Tuple<Space_tensor<S>, 3>& rows)
+  [[gnu::noinline]] static Tuple<Space_tensor<S>, 3> row_product(const Space_matrix<S>& m, const Tuple<Space_tensor<S>, 3>& rows)
   {
     Tuple<Space_tensor<S>, 3> result;
     for (int i = 0; i < 3; ++i) {

@@ -12,6 +12,9 @@ namespace internal {
 // What an energy's residuals on one triangle of a surface (one per lane of `S`) turn into, as in Residual_rows.h for
 // the plane. Derivatives are handed over by the tensor at a point, which is the mean of those at the corners with some
 // weights, by its slopes, or by its curl.
+//
+// The larger functions are kept out of line: inlined into every term they would take compilers minutes and gigabytes,
+// and run no faster.
 
 /// Keeps the residuals.
 template <class S, int N, int rows> class Surface_value_rows {
@@ -36,14 +39,14 @@ private:
 /// From derivatives by tensors to derivatives by the coefficients of the corners.
 template <class S, int N> class Corner_derivatives {
 public:
-  explicit Corner_derivatives(const Surface_triangle<S, N>& triangle) : m_triangle(triangle)
+  [[gnu::noinline]] explicit Corner_derivatives(const Surface_triangle<S, N>& triangle) : m_triangle(triangle)
   {
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < N; ++j)
         m_curl[k][j] = contract(triangle.aligned[k].basis[j], triangle.rotor(k));
   }
 
-  Tuple<S, 3 * N> of_mean(const double (&weight)[3], const Space_tensor<S>& by_tensor) const
+  [[gnu::noinline]] Tuple<S, 3 * N> of_mean(const double (&weight)[3], const Space_tensor<S>& by_tensor) const
   {
     Tuple<S, 3 * N> row;
     for (int k = 0; k < 3; ++k)
@@ -51,13 +54,13 @@ public:
         row[k * N + j] = weight[k] * dot(by_tensor, m_triangle.aligned[k].basis[j]);
     return row;
   }
-  void add_curl(const Cubic_tensor<S>& by_curl, Tuple<S, 3 * N>& row) const
+  [[gnu::noinline]] void add_curl(const Cubic_tensor<S>& by_curl, Tuple<S, 3 * N>& row) const
   {
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < N; ++j)
         row[k * N + j] += dot(by_curl, m_curl[k][j]);
   }
-  void add_slope(int axis, const Space_tensor<S>& by_slope, Tuple<S, 3 * N>& row) const
+  [[gnu::noinline]] void add_slope(int axis, const Space_tensor<S>& by_slope, Tuple<S, 3 * N>& row) const
   {
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < N; ++j)
@@ -105,7 +108,7 @@ public:
   }
 
 private:
-  void keep(const S& value, const Tuple<S, 3 * N>& row)
+  [[gnu::noinline]] void keep(const S& value, const Tuple<S, 3 * N>& row)
   {
     m_derivatives[m_next] = row;
     m_values[m_next++] = value;
@@ -126,7 +129,7 @@ public:
 
   S energy() const { return 0.5 * m_twice_energy; }
   /// By the coefficients of the corners.
-  Tuple<S, 3 * N> gradient() const
+  [[gnu::noinline]] Tuple<S, 3 * N> gradient() const
   {
     Tuple<S, 3 * N> result;
     for (int k = 0; k < 3; ++k) {
@@ -144,7 +147,7 @@ public:
   }
 
   template <int count> void skip() {}
-  void add(const S& value, const double (&weight)[3], const Space_tensor<S>& by_tensor)
+  [[gnu::noinline]] void add(const S& value, const double (&weight)[3], const Space_tensor<S>& by_tensor)
   {
     m_twice_energy += value * value;
     for (int k = 0; k < 3; ++k)
@@ -205,7 +208,7 @@ public:
   }
 
 private:
-  void keep(const S& value, const Tuple<S, 3 * N>& row)
+  [[gnu::noinline]] void keep(const S& value, const Tuple<S, 3 * N>& row)
   {
     m_twice_energy += value * value;
     add_scaled(m_gradient, value, row);

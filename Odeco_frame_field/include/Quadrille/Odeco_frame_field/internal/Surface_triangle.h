@@ -10,7 +10,7 @@ namespace Quadrille {
 namespace internal {
 
 /// Entries of the product of two quadratic forms, each given by its coefficients of xx, xy, xz, yy, yz, zz.
-template <class S> Space_tensor<S> product_of_forms(const Tuple<S, 6>& a, const Tuple<S, 6>& b)
+template <class S> [[gnu::noinline]] Space_tensor<S> product_of_forms(const Tuple<S, 6>& a, const Tuple<S, 6>& b)
 {
   Space_tensor<S> t = {};
   for (int n = 0; n <= 2; ++n)
@@ -37,7 +37,7 @@ template <class S, int N> struct Aligned_tensors {
 
   Aligned_tensors() = default;
   /// `axes`: two unit vectors that span the plane, and the normal.
-  Aligned_tensors(const Tuple<Space_vector<S>, 3>& axes, Normal_value normal_value)
+  [[gnu::noinline]] Aligned_tensors(const Tuple<Space_vector<S>, 3>& axes, Normal_value normal_value)
   {
     // x and y along the axes: r^4, (x^2 - y^2) r^2, 2 x y r^2, (x^2 - y^2)^2 - (2 x y)^2, 2 (x^2 - y^2) 2 x y.
     const Tuple<S, 6> xx = form(axes[0], axes[0]), yy = form(axes[1], axes[1]),

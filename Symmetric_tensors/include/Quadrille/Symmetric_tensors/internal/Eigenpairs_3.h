@@ -106,7 +106,8 @@ private:
 
   void find_zeros()
   {
-    using Decomposition = Eigen::ColPivHouseholderQR<Eigen::Matrix<double, n_lower, n_zeros>>;
+    // Of dynamic size, since compilers take half a minute for decompositions of these fixed ones.
+    using Decomposition = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
     // No zero of the divisor may be near a zero of the forms: the best of some in general position.
     const Eigen::Vector3d forms[] = {{0.48, 0.62, 0.62}, {-0.55, 0.72, 0.43}, {0.71, -0.36, 0.61}, {0.64, 0.58, -0.5}};
     Decomposition divisor;
@@ -121,8 +122,8 @@ private:
         best = i;
       }
     }
-    const Eigen::Matrix<double, n_zeros, n_zeros> multiplication = divisor.solve(times(forms[(best + 1) % 4]));
-    const Eigen::EigenSolver<Eigen::Matrix<double, n_zeros, n_zeros>> eigen(multiplication);
+    const Eigen::MatrixXd multiplication = divisor.solve(times(forms[(best + 1) % 4]));
+    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(multiplication);
     for (int i = 0; i < n_zeros; ++i)
       add(zero_of_monomials(m_null_space * eigen.eigenvectors().col(i)));
   }
