@@ -72,7 +72,7 @@ TEST(Mesh_coarsener, keeps_a_sphere_closed_and_round)
 TEST(Mesh_coarsener, keeps_the_creases_of_a_cube)
 {
   const Constrained_surface fine = with_creases(cube(12));
-  for (const std::size_t n_faces : {600, 100}) {
+  for (const std::size_t n_faces : {600u, 100u}) {
     const Coarse_copy coarse(fine, n_faces);
     EXPECT_EQ(coarse.mesh.mesh.number_of_boundary_edges(), 0);
     EXPECT_EQ(coarse.mesh.mesh.euler_characteristic(), 2);
