@@ -294,7 +294,7 @@ TEST(Surface_energy, odeco_quadrics_are_those_of_the_variety)
     Space_tensor<double> entries;
     for (int i = 0; i < 15; ++i)
       entries[i] = tensor.entries()[i];
-    Tuple<double, Odeco_quadrics::count> value;
+    Tuple<double, odeco_quadrics_count> value;
     internal::odeco_residuals<double>(entries, value, nullptr);
     const double expected = Quadrille::odeco_residuals(tensor).squaredNorm();
     EXPECT_NEAR(dot(value, value), expected, 1e-12 * expected);
@@ -314,7 +314,7 @@ TEST(Surface_energy, odeco_term_of_the_paper_is_that_of_the_normalized_tensor)
                                                               std::size_t(elements.element(e).node[std::size_t(k)]), x);
                    const double expected = kappa / 3 * Quadrille::odeco_residuals(tensor).squaredNorm() /
                                            std::pow(tensor.squared_norm(), 2);
-                   const int first = Surface_energy<5>::first_odeco + Odeco_quadrics::count * p;
+                   const int first = Surface_energy<5>::first_odeco + odeco_quadrics_count * p;
                    EXPECT_NEAR(rows.template segment<27>(first).squaredNorm(), expected, 1e-12 * expected);
                    EXPECT_GT(expected, 1e-6);
                  });

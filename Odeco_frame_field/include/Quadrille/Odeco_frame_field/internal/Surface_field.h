@@ -287,6 +287,22 @@ private:
   std::vector<Eigen::VectorXd> m_fields; ///< by start
 };
 
+/// Where the surface is given: rounded coordinates would hide what is degenerate.
+inline void check_surface(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector3d>& points)
+{
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!points[v].allFinite())
+      throw Invalid_input_error("vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
+  for (int f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto& t = mesh.triangle(f);
+    const Eigen::Vector3d a = points[std::size_t(t[1])] - points[std::size_t(t[0])],
+                          b = points[std::size_t(t[2])] - points[std::size_t(t[0])];
+    const double rounding = 1e-14;
+    if (!(twice_area(a, b) > rounding * std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()})))
+      throw Invalid_input_error("triangle " + std::to_string(f) + " has no area; remove it, or move its corners apart");
+  }
+}
+
 /// See `odeco_surface_field`.
 inline Surface_field_result solve_surface_field(const Indexed_triangulation& mesh,
                                                 const std::vector<Eigen::Vector3d>& points,
@@ -307,9 +323,7 @@ inline Surface_field_result solve_surface_field(const Indexed_triangulation& mes
   for (const double weight : {options.weights.odeco, options.weights.area, options.weights.angle})
     if (!(weight >= 0) || !std::isfinite(weight))
       throw Invalid_argument_error("the weights of energies must not be negative");
-  for (std::size_t v = 0; v < points.size(); ++v)
-    if (!points[v].allFinite())
-      throw Invalid_input_error("vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
+  check_surface(mesh, points);
   if (options.isotropic)
     return Surface_field<3>(mesh, points, edges, options, evaluator).solve(gradients);
   return Surface_field<5>(mesh, points, edges, options, evaluator).solve(gradients);
