@@ -67,7 +67,8 @@ template <class S> Space_matrix<S> second_order_part(const Space_tensor<S>& t)
 }
 /// Its derivative by the entries of T, times a vector: row i of the result belongs to component i.
 template <class S>
-[[gnu::noinline]] void add_second_order_derivative(const Space_vector<S>& v, const S& factor, Tuple<Space_tensor<S>, 3>& rows)
+[[gnu::noinline]] void add_second_order_derivative(const Space_vector<S>& v, const S& factor,
+                                                   Tuple<Space_tensor<S>, 3>& rows)
 {
   constexpr int parts[6][3] = {{0, 3, 5}, {1, 6, 8}, {2, 7, 9}, {3, 10, 12}, {4, 11, 13}, {5, 12, 14}};
   for (int i = 0; i < 3; ++i)
@@ -109,7 +110,7 @@ constexpr int odeco_quadrics_count = Odeco_quadrics_3::number;
 /// Their values, and their derivatives by the entries of T unless `by_tensor` is null.
 template <class S>
 [[gnu::noinline]] void odeco_residuals(const Space_tensor<S>& t, Tuple<S, odeco_quadrics_count>& value,
-                     Tuple<Space_tensor<S>, odeco_quadrics_count>* by_tensor)
+                                       Tuple<Space_tensor<S>, odeco_quadrics_count>* by_tensor)
 {
   std::array<S, 15> entries;
   std::copy(t.values, t.values + 15, entries.begin());

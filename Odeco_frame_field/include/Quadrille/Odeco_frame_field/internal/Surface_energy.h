@@ -92,8 +92,8 @@ public:
 
 private:
   template <class S, class Rows>
-  [[gnu::noinline]] void add_area(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, Pieces::points>& at,
-                Rows& rows) const
+  [[gnu::noinline]] void add_area(const Surface_triangle<S, N>& triangle,
+                                  const Tuple<Surface_point<S>, Pieces::points>& at, Rows& rows) const
   {
     const auto& elements = this->elements();
     const double target_density =
@@ -126,8 +126,8 @@ private:
 
   /// surface, eq. (54), as far as it is about the tangent plane: the part of degree 2 of the tensor's restriction.
   template <class S, class Rows>
-  [[gnu::noinline]] void add_angle(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, Pieces::points>& at,
-                 Rows& rows) const
+  [[gnu::noinline]] void add_angle(const Surface_triangle<S, N>& triangle,
+                                   const Tuple<Surface_point<S>, Pieces::points>& at, Rows& rows) const
   {
     if (m_weights.angle == 0) {
       rows.template skip<2 * Pieces::points>();

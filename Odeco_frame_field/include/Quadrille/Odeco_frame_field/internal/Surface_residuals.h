@@ -48,7 +48,8 @@ template <int N> struct Surface_residuals {
 
   /// The normalised curl energy; surface, eqs. (45), (46): w_i = T_ijkl C_jkl, r = M^-2 w.
   template <class S, class Rows>
-  [[gnu::noinline]] static void curl(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, points>& at, Rows& rows)
+  [[gnu::noinline]] static void curl(const Surface_triangle<S, N>& triangle, const Tuple<Surface_point<S>, points>& at,
+                                     Rows& rows)
   {
     const Cubic_tensor<S> curl = triangle.curl();
     Cubic_tensor<S> weighted_curl;
@@ -155,7 +156,8 @@ private:
     return {{dot(a, a), dot(a, b), dot(a, c), dot(b, b), dot(b, c), dot(c, c)}};
   }
   template <class S>
-  [[gnu::noinline]] static Tuple<Space_tensor<S>, 3> row_product(const Space_matrix<S>& m, const Tuple<Space_tensor<S>, 3>& rows)
+  [[gnu::noinline]] static Tuple<Space_tensor<S>, 3> row_product(const Space_matrix<S>& m,
+                                                                 const Tuple<Space_tensor<S>, 3>& rows)
   {
     Tuple<Space_tensor<S>, 3> result;
     for (int i = 0; i < 3; ++i) {
