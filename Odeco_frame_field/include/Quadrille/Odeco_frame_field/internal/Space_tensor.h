@@ -5,8 +5,7 @@
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_SPACE_TENSOR_H
 
 #include <Quadrille/Odeco_frame_field/internal/Tensor_coefficients.h>
-#include <Quadrille/Symmetric_tensor_3.h>
-#include <Quadrille/Symmetric_tensors/internal/Odeco_quadrics_3.h>
+#include <Quadrille/Odeco_quadrics_3.h>
 
 #include <algorithm>
 #include <array>

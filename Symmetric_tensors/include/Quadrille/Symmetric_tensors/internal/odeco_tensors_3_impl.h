@@ -4,10 +4,10 @@
 #ifndef QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_ODECO_TENSORS_3_IMPL_H
 #define QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_ODECO_TENSORS_3_IMPL_H
 
+#include <Quadrille/Odeco_quadrics_3.h>
 #include <Quadrille/Symmetric_tensors/internal/Cross_seeds.h>
 #include <Quadrille/Symmetric_tensors/internal/Eigenpairs_3.h>
 #include <Quadrille/Symmetric_tensors/internal/Odeco_frame_search.h>
-#include <Quadrille/Symmetric_tensors/internal/Odeco_quadrics_3.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -128,12 +128,12 @@ inline Symmetric_tensor_3 odeco_tensor(const Orthogonal_frame_3& frame)
 
 inline Odeco_residuals_3 odeco_residuals(const Symmetric_tensor_3& tensor)
 {
-  return Odeco_residuals_3(internal::odeco_quadrics_3().values(internal::entry_array(tensor)).data());
+  return Odeco_residuals_3(odeco_quadrics_3().values(internal::entry_array(tensor)).data());
 }
 
 inline Eigen::Matrix<double, 27, 15> odeco_residual_derivatives(const Symmetric_tensor_3& tensor)
 {
-  const auto rows = internal::odeco_quadrics_3().jacobian(internal::entry_array(tensor));
+  const auto rows = odeco_quadrics_3().jacobian(internal::entry_array(tensor));
   Eigen::Matrix<double, 27, 15> jacobian;
   for (int i = 0; i < 27; ++i)
     jacobian.row(i) = Eigen::Map<const Eigen::Matrix<double, 1, 15>>(rows[std::size_t(i)].data());

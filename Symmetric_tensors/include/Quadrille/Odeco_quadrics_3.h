@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_ODECO_QUADRICS_3_H
-#define QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_ODECO_QUADRICS_3_H
+#ifndef QUADRILLE_ODECO_QUADRICS_3_H
+#define QUADRILLE_ODECO_QUADRICS_3_H
 
-#include <Quadrille/Symmetric_tensors/internal/Symmetric_tensor_3_impl.h>
+#include <Quadrille/Symmetric_tensor_3.h>
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace Quadrille {
-namespace internal {
 
 /// The 27 quadrics of the odeco variety of space, as short sums of products of two entries of a tensor.
 ///
@@ -23,6 +22,8 @@ namespace internal {
 /// leave 27. A product stands for w components of G, so its class adds sum w (G_KL - mean)^2 to |G - sym G|^2. The
 /// conditions are what an update of weighted means makes of this sum: sqrt(w W / (w + W)) (G_KL - mean before), W the
 /// sum of the weights before; their squares add up to it.
+///
+/// For entries of any number type `S`, also packs of numbers; `odeco_residuals()` is the form for a single tensor.
 class Odeco_quadrics_3 {
 public:
   static constexpr int number = 27;
@@ -119,21 +120,21 @@ private:
   {
     Product product;
     for (int s = 0; s < 3; ++s)
-      product.entries[std::size_t(s)] = {std::size_t(entry_number(k[0] + (s == 1), k[1] + (s == 2))),
-                                         std::size_t(entry_number(l[0] + (s == 1), l[1] + (s == 2)))};
+      product.entries[std::size_t(s)] = {std::size_t(internal::entry_number(k[0] + (s == 1), k[1] + (s == 2))),
+                                         std::size_t(internal::entry_number(l[0] + (s == 1), l[1] + (s == 2)))};
     return product;
   }
 
   std::vector<Product> m_products; ///< class by class
 };
 
+/// The only one that is needed.
 inline const Odeco_quadrics_3& odeco_quadrics_3()
 {
   static const Odeco_quadrics_3 quadrics;
   return quadrics;
 }
 
-} // namespace internal
 } // namespace Quadrille
 
 #endif
