@@ -97,20 +97,15 @@ public:
                                                          m_integrable_problem.threads());
     Eigen::VectorXd directions = Eigen::VectorXd::Zero(Eigen::Index(octahedral.number_of_unknowns()));
     minimize_smoothness(problem, directions); // quadratic
-    // Where nothing is constrained that leaves symmetric fields, from which descent does not find away.
-    Noise noise(0);
-    for (Eigen::Index i = 0; i < directions.size(); ++i)
-      directions[i] += 0.1 * noise();
+    // Tensors that are small there, as everywhere on surfaces without constraints, are far from any frame's.
+    for (std::size_t v = 0; v < octahedral.number_of_nodes(); ++v)
+      octahedral.assign_coefficients(v, frame_coefficients(octahedral.coefficients(v, directions), 1), directions);
     energy.set_odeco_weight(1);
     minimize_smoothness(problem, directions);
     Eigen::VectorXd x = Eigen::VectorXd::Zero(Eigen::Index(m_elements.number_of_unknowns()));
     for (std::size_t v = 0; v < m_elements.number_of_nodes(); ++v) {
-      const Orthogonal_frame_2 nearest =
-          nearest_odeco_frame(Tensor_coefficients<N>::harmonics(octahedral.coefficients(v, directions)));
-      Orthogonal_frame_2 frame;
-      frame.direction = nearest.direction;
-      frame.size_u = frame.size_v = std::exp(m_elements.expected_log_value(v));
-      m_elements.assign_coefficients(v, Tensor_coefficients<N>::from_harmonics(odeco_harmonics(frame)), x);
+      const double value = std::exp(m_elements.expected_log_value(v));
+      m_elements.assign_coefficients(v, frame_coefficients(octahedral.coefficients(v, directions), value), x);
     }
     return x;
   }
@@ -124,6 +119,15 @@ public:
   }
 
 private:
+  /// Of an isotropic frame in the direction of the tensor nearest to the given one.
+  static Coefficients frame_coefficients(const Coefficients& q, double value)
+  {
+    Orthogonal_frame_2 frame;
+    frame.direction = nearest_odeco_frame(Tensor_coefficients<N>::harmonics(q)).direction;
+    frame.size_u = frame.size_v = value;
+    return Tensor_coefficients<N>::from_harmonics(odeco_harmonics(frame));
+  }
+
   template <class Problem> void minimize_smoothness(Problem& problem, Eigen::VectorXd& x)
   {
     if (x.size() == 0)
