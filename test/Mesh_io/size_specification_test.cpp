@@ -200,7 +200,7 @@ TEST(Size_specification, unusable_items)
 {
   const Planar_domain domain = strip(4);
   for (const char* item : {"0", "-1", "nan", "inf", "", "abc", "top=", "=3", "top=1:", "top=1:0", "top=1x", "1:2",
-                           "1x2", "top=1x2x3", "top=1x2:free", "top=1:2:3", "1e400", "0x10"})
+                           "1x2x3", "top=1x2x3", "top=1x2:free", "top=1:2:3", "1e400", "0x10"})
     EXPECT_THROW(apply(domain, {item}), Invalid_argument_error) << item;
   try {
     apply(domain, {"lid=1"});

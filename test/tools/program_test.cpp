@@ -168,7 +168,6 @@ TEST_F(Program, unusable_input)
   expect_unusable(write("empty.geo", ""), "empty");
   expect_unusable(write("truncated.geo", content(square()).substr(0, content(square()).size() - 20)), "truncated");
   expect_unusable(write("square.xyz", "1"), "unknown format");
-  expect_unusable(write("surface.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 1\n3 0 1 2\n"), "planar domain");
   expect_unusable(write("open.geo", "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {0, 1, 0};\n"
                                     "Line(1) = {1, 2}; Line(2) = {2, 3}; Curve Loop(1) = {1, 2};\n"
                                     "Plane Surface(1) = {1};\n"),

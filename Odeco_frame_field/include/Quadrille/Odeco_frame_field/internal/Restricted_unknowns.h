@@ -103,10 +103,10 @@ public:
   Coefficients coefficients(std::size_t v, const Eigen::VectorXd& x) const
   {
     const Vertex_restriction<N>& r = m_restrictions[v];
-    Coefficients q = r.offset;
+    Coefficients s;
     for (int i = 0; i < r.dimension; ++i)
-      q += x[m_index[v][std::size_t(i)]] * r.basis.col(i);
-    return q;
+      s[i] = x[m_index[v][std::size_t(i)]];
+    return r.offset + r.basis.leftCols(r.dimension) * s.head(r.dimension);
   }
 
   /// The unknowns whose coefficients are nearest to the given ones; of shared unknowns the last assignment counts.
