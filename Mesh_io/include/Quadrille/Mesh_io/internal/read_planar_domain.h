@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace Quadrille {
 namespace internal {
@@ -62,9 +64,9 @@ inline Planar_domain geometry_domain(const Geometry_triangulation& result, const
 inline Planar_domain read_geometry_domain(const std::string& path, const Planar_domain_options& options)
 {
   const auto triangulate = [&] {
-    const Gmsh_session session;
-    open_geometry(path, session);
-    return triangulate_geometry(path, options);
+    std::optional<Gmsh_session> session(std::in_place);
+    open_geometry(path, *session);
+    return triangulate_geometry(path, options, session);
   };
   return geometry_domain(options.isolate_geometry_kernel ? run_in_child_process<Geometry_triangulation>(
                                                                triangulate, options.time_limit_seconds, path)

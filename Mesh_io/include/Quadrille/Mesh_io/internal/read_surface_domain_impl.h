@@ -54,7 +54,7 @@ inline Geometry_content load_geometry(const std::string& path, const Surface_dom
     may_need_sewing = extension_of(path) != ".geo" && has_free_curves();
   });
   if (content.is_planar) {
-    content.triangulation = triangulate_geometry(path, *planar);
+    content.triangulation = triangulate_geometry(path, *planar, session);
     return content;
   }
   if (attempt.sews && may_need_sewing) { // IGES files, above all, have surfaces that only touch

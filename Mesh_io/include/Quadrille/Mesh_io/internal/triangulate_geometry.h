@@ -105,7 +105,9 @@ inline double default_triangle_size(const Outline& outline)
 }
 
 /// Gmsh's current model, which is that of a planar geometry file, as labelled triangles. \throws Invalid_input_error
-inline Geometry_triangulation triangulate_geometry(const std::string& path, const Planar_domain_options& options)
+/// \param session ends once curves are sampled: triangles are made in a new one, without the options of the file
+inline Geometry_triangulation triangulate_geometry(const std::string& path, const Planar_domain_options& options,
+                                                   std::optional<Gmsh_session>& session)
 {
   Geometry_triangulation result;
   Outline outline, unit;
@@ -134,6 +136,7 @@ inline Geometry_triangulation triangulate_geometry(const std::string& path, cons
     field = Triangle_size_field<Point_2>(size, options.size_gradation, {});
   }
   Gmsh_session::call(path, [&] { segmented = segment_outline(outline, unit, *field); });
+  session.reset();
   checker.check_segments(segmented, !result.notes.empty());
   result.notes.insert(result.notes.end(), outline.notes.begin(), outline.notes.end());
 
