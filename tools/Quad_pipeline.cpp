@@ -3,6 +3,7 @@
 
 #include "Quad_pipeline.h"
 
+#include "field_maps.h"
 #include "pipeline_output.h"
 #include "refine_around_singularities.h"
 
@@ -10,8 +11,6 @@
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Size_specification.h>
 #include <Quadrille/odeco_frame_field.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,34 +24,13 @@ namespace {
 using Mesh = Planar_domain::Mesh;
 using Point_2 = Planar_domain::Point_2;
 
-template <class Value> auto vector_map(std::vector<Value>& values)
-{
-  return boost::make_iterator_property_map(values.begin(), boost::identity_property_map());
-}
-
-struct Is_on_curve {
-  using key_type = Planar_domain::edge_descriptor;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  const Planar_domain* domain;
-  friend bool get(const Is_on_curve& map, const key_type& e) { return map.domain->edge_curve[e.idx()] >= 0; }
-};
-
 Seamless_map<Mesh> integrate(const Planar_domain& domain, const std::vector<Gradient_pair>& gradients,
                              const Seamless_parametrization_options& options, std::vector<Point_2>& corner_uv)
 {
   corner_uv.assign(domain.mesh.number_of_halfedges(), Point_2(0, 0));
   std::vector<Gradient_pair> copy = gradients;
-  return seamless_parametrization(domain.mesh, domain.mesh.points(), vector_map(copy), Is_on_curve{&domain},
-                                  vector_map(corner_uv), options);
-}
-
-/// A candidate without a locally injective map is worse than every other, by how much of it is folded.
-double cost(const Seamless_map<Mesh>& map)
-{
-  const std::size_t n_folded = std::size_t(map.flipped) + map.misturned_vertices.size();
-  return n_folded == 0 ? map.integration_error : 1e3 + double(n_folded);
+  return seamless_parametrization(domain.mesh, domain.mesh.points(), vector_map(copy),
+                                  Is_on_curve<Planar_domain>{&domain}, vector_map(corner_uv), options);
 }
 
 /// How fields become quads.
@@ -63,12 +41,7 @@ struct Meshing_options {
   Optimal_quantizer::Options optimal; ///< limits of one field
 };
 
-/// What a start made: its field, and the map of that unless there is none.
-struct Candidate {
-  std::vector<Gradient_pair> gradients;
-  std::optional<Seamless_map<Mesh>> map;
-  std::vector<Point_2> corner_uv;
-};
+using Candidate = Field_candidate<Mesh>;
 
 /// Quads of the map in `result`, which is made of `result.gradients` unless it is there. `result` is filled as far as
 /// that gets.
@@ -177,27 +150,20 @@ void solve_again_around_singularities(const std::vector<Edge_frame_constraint>& 
 void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
                        const Quad_pipeline_options& options, Quad_pipeline_result& result)
 {
-  std::vector<Candidate> candidates(2 + std::size_t(std::max(options.field.starts, 0)));
+  Start_maps<Mesh> maps(options.field.starts);
+  std::vector<Candidate>& candidates = maps.candidates;
   Seamless_parametrization_options map_options = options.map;
   map_options.threads = 1; // the starts themselves run in parallel
-  const auto evaluate = [&](std::size_t start, const std::vector<Gradient_pair>& gradients) -> double {
-    Candidate& candidate = candidates[start];
-    candidate.gradients = gradients;
-    try {
-      candidate.map = integrate(domain, gradients, map_options, candidate.corner_uv);
-      if (start == 0)
-        result.smooth_integration_error = candidate.map->integration_error;
-      return cost(*candidate.map);
-    } catch (const No_result_error&) {
-      return std::numeric_limits<double>::infinity();
-    }
-  };
+  const auto evaluate = maps.evaluator([&](const std::vector<Gradient_pair>& gradients, std::vector<Point_2>& uv) {
+    return integrate(domain, gradients, map_options, uv);
+  });
   std::vector<Edge_frame_constraint> edge_constraints = constraints;
   result.gradients.resize(domain.mesh.number_of_faces());
   Odeco_field_options field_options = options.field;
   field_options.observer = options.observer;
   result.field = odeco_frame_field(domain.mesh, domain.mesh.points(), vector_map(edge_constraints),
                                    vector_map(result.gradients), field_options, evaluate);
+  result.smooth_integration_error = maps.smooth_integration_error();
 
   const std::vector<Field_start> starts = result.field->starts;
   std::vector<std::size_t> order = candidates_by_cost(starts, candidates, options.same_field_energy);

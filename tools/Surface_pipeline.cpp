@@ -3,17 +3,16 @@
 
 #include "Surface_pipeline.h"
 
+#include "field_maps.h"
+
 #include <Quadrille/Surface_tangent_traits.h>
 #include <Quadrille/frame_field_topology.h>
 #include <Quadrille/odeco_surface_field.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace Quadrille {
@@ -22,20 +21,6 @@ namespace {
 
 using Mesh = Surface_domain::Mesh;
 using Point_2 = Planar_domain::Point_2;
-
-template <class Value> auto vector_map(std::vector<Value>& values)
-{
-  return boost::make_iterator_property_map(values.begin(), boost::identity_property_map());
-}
-
-struct Is_on_curve {
-  using key_type = Surface_domain::edge_descriptor;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  const Surface_domain* domain;
-  friend bool get(const Is_on_curve& map, const key_type& e) { return map.domain->edge_curve[e.idx()] >= 0; }
-};
 
 auto tangent_traits(const Surface_domain& domain)
 {
@@ -48,22 +33,16 @@ Seamless_map<Mesh> integrate(const Surface_domain& domain, std::vector<Gradient_
 {
   corner_uv.assign(domain.mesh.number_of_halfedges(), Point_2(0, 0));
   return seamless_parametrization_with_traits(domain.mesh, tangent_traits(domain), vector_map(gradients),
-                                              Is_on_curve{&domain}, vector_map(corner_uv), options);
-}
-
-/// A candidate without a locally injective map is worse than every other, by how much of it is folded.
-double cost(const Seamless_map<Mesh>& map)
-{
-  const std::size_t n_folded = std::size_t(map.flipped) + map.misturned_vertices.size();
-  return n_folded == 0 ? map.integration_error : 1e3 + double(n_folded);
+                                              Is_on_curve<Surface_domain>{&domain}, vector_map(corner_uv), options);
 }
 
 /// Singularities of the field itself, and whether their indices add up.
 void find_singularities(const Surface_domain& domain, Surface_pipeline_result& result)
 {
   std::vector<int> matching(domain.mesh.number_of_halfedges(), 0);
-  const auto topology = frame_field_topology_with_traits(
-      domain.mesh, tangent_traits(domain), vector_map(result.gradients), Is_on_curve{&domain}, vector_map(matching));
+  const auto topology =
+      frame_field_topology_with_traits(domain.mesh, tangent_traits(domain), vector_map(result.gradients),
+                                       Is_on_curve<Surface_domain>{&domain}, vector_map(matching));
   for (const auto& [vertex, quarters] : topology.singular_vertices)
     result.singular_vertices.emplace_back(vertex, 4 - quarters);
   result.quarter_index_sum = topology.quarter_index_sum;
@@ -80,33 +59,23 @@ void find_singularities(const Surface_domain& domain, Surface_pipeline_result& r
 void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
                           const Surface_pipeline_options& options, Surface_pipeline_result& result)
 {
-  struct Candidate {
-    std::optional<Seamless_map<Mesh>> map;
-    std::vector<Point_2> corner_uv;
-  };
-  std::vector<Candidate> candidates(2 + std::size_t(options.field.starts));
+  Start_maps<Mesh> maps(options.field.starts);
   Seamless_parametrization_options map_options = options.map;
   map_options.threads = 1; // the starts themselves run in parallel
-  const Field_evaluator evaluate = [&](std::size_t start, const std::vector<Gradient_pair>& gradients) -> double {
-    Candidate& candidate = candidates[start];
-    try {
-      candidate.map = integrate(domain, gradients, map_options, candidate.corner_uv);
-      if (start == 0)
-        result.smooth_integration_error = candidate.map->integration_error;
-      return cost(*candidate.map);
-    } catch (const No_result_error&) {
-      return std::numeric_limits<double>::infinity();
-    }
-  };
+  const Field_evaluator evaluate =
+      maps.evaluator([&](const std::vector<Gradient_pair>& gradients, std::vector<Point_2>& uv) {
+        return integrate(domain, gradients, map_options, uv);
+      });
   std::vector<Edge_frame_constraint> edge_constraints = constraints;
   result.gradients.resize(domain.mesh.number_of_faces());
   result.field =
       odeco_surface_field(domain.mesh, domain.mesh.points(), vector_map(edge_constraints), vector_map(result.gradients),
                           options.field, options.make_map ? evaluate : Field_evaluator());
+  result.smooth_integration_error = maps.smooth_integration_error();
   find_singularities(domain, result);
   if (!options.make_map)
     return;
-  Candidate& chosen = candidates[std::size_t(result.field->chosen)];
+  Field_candidate<Mesh>& chosen = maps.candidates[std::size_t(result.field->chosen)];
   result.map = chosen.map ? std::move(chosen.map) : integrate(domain, result.gradients, options.map, chosen.corner_uv);
   result.corner_uv = std::move(chosen.corner_uv);
 }

@@ -4,6 +4,8 @@
 #ifndef QUADRILLE_TOOLS_DOMAIN_CONSTRAINTS_H
 #define QUADRILLE_TOOLS_DOMAIN_CONSTRAINTS_H
 
+#include "command_line.h"
+
 #include <Quadrille/Frame_edge_constraints.h>
 #include <Quadrille/Size_specification.h>
 #include <Quadrille/domain_curves.h>
@@ -26,6 +28,15 @@ std::vector<Edge_frame_constraint> constraints_of(const Domain& domain, const Do
     constraints[e] = {is_on_curve || has_size, is_on_curve, sizes.of_edge[e][0], sizes.of_edge[e][1]};
   }
   return constraints;
+}
+
+/// What the option --size asks for. \throws Invalid_argument_error
+inline Size_specification size_specification_of(const Quad_arguments& arguments)
+{
+  Size_specification specification;
+  for (const std::string& size : arguments.sizes)
+    specification.add(size);
+  return specification;
 }
 
 /// Takes the curves out that the option --unaligned names. \throws Invalid_argument_error

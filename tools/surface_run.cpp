@@ -3,7 +3,7 @@
 
 #include "surface_run.h"
 
-#include "Console.h"
+#include "Quad_run.h"
 #include "Surface_pipeline.h"
 #include "domain_constraints.h"
 #include "json_summary.h"
@@ -11,14 +11,12 @@
 #include "surface_picture.h"
 
 #include <Quadrille/Size_specification.h>
-#include <Quadrille/write_file.h>
 #include <Quadrille/write_mesh.h>
 
 #include <algorithm>
 #include <map>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -26,34 +24,12 @@ namespace Quadrille {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// One run of the program on a surface: the state that its steps hand on.
-class Surface_run {
+/// The state that the steps of a run hand on.
+class Surface_run : public Quad_run {
 public:
   Surface_run(const Quad_arguments& arguments, Surface_domain domain, std::chrono::steady_clock::time_point start)
-      : m_arguments(arguments), m_console(arguments.quiet), m_start(start), m_domain(std::move(domain))
+      : Quad_run(arguments, start), m_domain(std::move(domain))
   {
-  }
-
-  void run()
-  {
-    prepare();
-    try {
-      compute();
-    } catch (const Error& error) {
-      const auto* no_result = dynamic_cast<const No_result_error*>(&error);
-      m_summary["error"] = {{"stage", no_result ? no_result->stage() : "run"}, {"message", error.what()}};
-      if (!m_result.singular_vertices.empty() || m_result.quarter_index_sum != 0) // the field is complete
-        write_field_and_picture();
-      write_summary();
-      throw;
-    }
-    write_field_and_picture();
-    if (!m_arguments.map.empty())
-      write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
-    write_summary();
-    report();
   }
 
 private:
@@ -78,12 +54,10 @@ private:
                                      m_arguments.input + " is a surface");
   }
 
-  void prepare()
+  void prepare() override
   {
     check_options();
-    Size_specification specification;
-    for (const std::string& size : m_arguments.sizes)
-      specification.add(size);
+    const Size_specification specification = size_specification_of(m_arguments);
     if (const std::string item = specification.anisotropic_item(); !item.empty() && m_arguments.isotropic)
       throw Invalid_argument_error("size '" + item +
                                    "': different sizes across and along a curve need anisotropic frames; leave out "
@@ -95,12 +69,11 @@ private:
     line << m_arguments.input << ": a surface of " << m_domain.mesh.number_of_faces() << " triangles, "
          << m_domain.curves.size() << " curves";
     m_console.print(line.str());
-    for (const auto* notes : {&m_domain.notes, &m_sizes.notes})
-      for (const std::string& note : *notes)
-        m_console.print(note);
+    print_notes(m_domain.notes);
+    print_notes(m_sizes.notes);
   }
 
-  void compute()
+  void compute() override
   {
     Surface_pipeline_options options;
     options.field.isotropic = m_arguments.isotropic;
@@ -134,24 +107,28 @@ private:
       write_picture_file(m_arguments.picture, surface_picture(surface_drawing(m_domain, m_result)));
   }
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
-
-  void write_summary()
+  void write() override
   {
-    if (m_arguments.json.empty())
-      return;
+    write_field_and_picture();
+    if (!m_arguments.map.empty())
+      write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
+  }
+
+  void write_what_there_is() override
+  {
+    if (!m_result.singular_vertices.empty() || m_result.quarter_index_sum != 0) // the field is complete
+      write_field_and_picture();
+  }
+
+  Json summary() const override
+  {
     Json json;
     json["input"] = json_of(m_domain);
     add_stages(m_result, m_arguments.solver, json);
-    json.update(m_summary);
-    json["seconds"] = seconds();
-    json["threads"] = m_arguments.threads > 0 ? m_arguments.threads : int(std::thread::hardware_concurrency());
-    json["seed"] = m_arguments.seed;
-    json["version"] = QUADRILLE_VERSION;
-    write_file(m_arguments.json, json.dump(2) + "\n");
+    return json;
   }
 
-  void report()
+  void report() override
   {
     std::map<int, int> counts;
     for (const auto& [vertex, valence] : m_result.singular_vertices)
@@ -175,14 +152,10 @@ private:
     m_console.print(line.str());
   }
 
-  const Quad_arguments& m_arguments;
-  Console m_console;
-  std::chrono::steady_clock::time_point m_start;
   Surface_domain m_domain;
   Domain_sizes m_sizes;
   double m_typical_size = 0;
   Surface_pipeline_result m_result;
-  Json m_summary = Json::object();
 };
 
 } // namespace

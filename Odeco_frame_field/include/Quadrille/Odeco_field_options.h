@@ -46,16 +46,22 @@ struct Melt_and_freeze_schedule {
   int final_steps = 40;      ///< at most
 };
 
-struct Odeco_field_options {
-  bool isotropic = true;  ///< frames with two equal sizes; otherwise sizes may differ, also where that is not asked for
+/// What the options of fields in the plane and on surfaces have in common.
+struct Field_run_options {
   bool integrable = true; ///< otherwise only the smooth field is computed, for comparisons
   Field_solver_kind solver = Field_solver_kind::levenberg_marquardt;
-  int starts = 8;         ///< number of melted candidates; 0 only relaxes the smooth field
   std::uint64_t seed = 1; ///< of the noise; equal seeds give equal fields
   int threads = 0;        ///< 0: all cores
   /// Added to the cost of every start: this times its `size_deviation`. Starts that integrate about equally well are
   /// then told apart by how far sizes stray between the curves where they are prescribed.
   double size_deviation_weight = 0.01;
+  Melt_and_freeze_schedule schedule;
+  const Progress_observer* observer = nullptr;
+};
+
+struct Odeco_field_options : Field_run_options {
+  bool isotropic = true; ///< frames with two equal sizes; otherwise sizes may differ, also where that is not asked for
+  int starts = 8;        ///< number of melted candidates; 0 only relaxes the smooth field
   /// Element sizes wanted inside, per vertex in the order of `vertices(mesh)` and in the mesh's unit; 0 where none is
   /// wanted; empty: nowhere. See `sample_target_sizes()`. Sizes on constrained edges take precedence.
   std::vector<double> target_size;
@@ -73,8 +79,6 @@ struct Odeco_field_options {
   /// instead of all other starts it is minimised at the final epsilon, where singularities stay where they are. Empty:
   /// there is none.
   std::vector<Circular_harmonics> initial_field;
-  Melt_and_freeze_schedule schedule;
-  const Progress_observer* observer = nullptr;
 };
 
 /// One candidate field.
@@ -97,17 +101,21 @@ struct Field_start {
   double seconds = 0;
 };
 
+/// How a field came about, in the plane or on a surface.
+struct Field_run_result {
+  std::vector<Field_start> starts; ///< smooth, relaxed, melted ones by seed; or the initial one alone
+  int chosen = -1;                 ///< index into `starts`
+  double energy = 0;               ///< E_integ of the chosen field, and the attractions to sizes
+  int free_corners = 0;            ///< corners whose direction is left free
+  int iterations = 0;              ///< over all starts
+  double seconds = 0;
+};
+
 /// The chosen field, and how it came about.
-struct Odeco_field_result {
+struct Odeco_field_result : Field_run_result {
   std::vector<Circular_harmonics> harmonics; ///< per vertex, in the order of `vertices(mesh)`; eigenvalues are sizes
-  std::vector<Field_start> starts;           ///< smooth, relaxed, melted ones by seed; or the initial one alone
-  int chosen = -1;                           ///< index into `starts`
-  double energy = 0;                         ///< E_integ of the chosen field, and the attractions to sizes
   double energy_lie = 0;                     ///< its E_Lie; planar-2, eq. (30)
   double energy_odeco = 0;                   ///< its E_odeco / epsilon^2; planar-2, eqs. (31), (33)
-  int free_corners = 0;                      ///< corners whose direction is left free
-  int iterations = 0;                        ///< over all starts
-  double seconds = 0;
 };
 
 } // namespace Quadrille

@@ -25,18 +25,15 @@ namespace Quadrille {
 /// Several candidates are computed: a smooth octahedral field relaxed to an integrable one, and `options.starts` fields
 /// by melting and freezing. `evaluator` chooses among them; without one the lowest energy does.
 ///
-/// \tparam TriangleMesh model of CGAL's `FaceListGraph` and `HalfedgeListGraph`; closed or with boundary, any genus,
-/// any
-///   number of components; self-intersections do not matter
+/// \tparam TriangleMesh model of CGAL's `FaceListGraph` and `HalfedgeListGraph`; closed or with boundary, of any
+///   genus, with any number of components; self-intersections do not matter
 /// \tparam VertexPointMap readable property map, `vertex_descriptor` to a point with `x()`, `y()` and `z()`
 /// \tparam EdgeConstraintMap readable property map, `edge_descriptor` to `Edge_frame_constraint`
-/// \tparam FaceGradientMap writable property map, `face_descriptor` to `Gradient_pair`; receives the chosen field in
-/// the
-///   basis of every face that `Surface_tangent_traits` has: along `halfedge(f, mesh)`, and across in the face's plane
+/// \tparam FaceGradientMap writable property map, `face_descriptor` to `Gradient_pair`; receives the chosen
+///   field in the basis of every face that `Surface_tangent_traits` has: along `halfedge(f, mesh)`, and across
 ///
-/// \throws Invalid_input_error if the mesh is not a manifold oriented triangle mesh, a triangle has no area, or
-/// triangles
-///   are folded onto each other at a vertex, so that it has no normal.
+/// \throws Invalid_input_error if the mesh is not a manifold oriented triangle mesh, a triangle has no area,
+///   or triangles are folded onto each other at a vertex, so that it has no normal.
 /// \throws Invalid_argument_error if a size is negative or not finite, or an option is out of range.
 /// \throws No_result_error ("field") if no candidate has positive sizes everywhere.
 ///

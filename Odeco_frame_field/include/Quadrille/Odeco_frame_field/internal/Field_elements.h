@@ -98,6 +98,7 @@ public:
   std::size_t number_of_nodes() const { return m_unknowns.number_of_nodes(); }
   std::size_t number_of_unknowns() const { return m_unknowns.number_of_unknowns(); }
   const Element& element(std::size_t e) const { return m_elements[e]; }
+  const std::array<int, 3>& corners(std::size_t e) const { return m_elements[e].vertex; }
   const Vertex_restriction<N>& restriction(std::size_t v) const { return m_unknowns.restriction(v); }
   double expected_log_value(std::size_t v) const { return m_expected_log_values[v]; }
   const Vertex_targets& targets() const { return m_targets; }

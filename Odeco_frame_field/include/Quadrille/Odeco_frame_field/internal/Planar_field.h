@@ -6,6 +6,7 @@
 
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/Canonical_position.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_run.h>
 #include <Quadrille/Odeco_frame_field/internal/Planar_level.h>
 #include <Quadrille/Odeco_frame_field/internal/check_field_arguments.h>
 #include <Quadrille/Odeco_frame_field/internal/harmonic_log_sizes.h>
@@ -41,41 +42,17 @@ inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges
   check_schedule(options.schedule, options.starts, options.threads);
 }
 
-/// One frame per face from the mean of its corners' coefficients; planar-2, section 7.1. Empty if a size is not
-/// positive.
-///
-/// The sizes of planar-2's eq. (35) keep their ratio but take the area of eq. (21): where the tensor melts around a
-/// singularity the former shrink by up to a quarter, the area does not.
-template <int N>
-std::vector<Orthogonal_frame_2> face_frames(const Field_elements<N>& elements, const Eigen::VectorXd& x)
-{
-  std::vector<typename Field_elements<N>::Coefficients> q(elements.number_of_nodes());
-  for (std::size_t v = 0; v < q.size(); ++v)
-    q[v] = elements.coefficients(v, x);
-  std::vector<Orthogonal_frame_2> frames(elements.number_of_elements());
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    const auto& vertex = elements.element(f).vertex;
-    const typename Field_elements<N>::Coefficients mean =
-        (q[std::size_t(vertex[0])] + q[std::size_t(vertex[1])] + q[std::size_t(vertex[2])]) / 3;
-    frames[f] = recover_frame(Tensor_coefficients<N>::harmonics(mean));
-    if (!(frames[f].size_u > 0) || !(frames[f].size_v > 0))
-      return {};
-    const double scale = std::sqrt(Tensor_coefficients<N>::area(mean) / (frames[f].size_u * frames[f].size_v));
-    frames[f].size_u *= scale;
-    frames[f].size_v *= scale;
-  }
-  return frames;
-}
-
 /// One run of `odeco_frame_field` on index arrays; N coefficients per vertex (3: isotropic frames).
-template <int N> class Planar_field {
+template <int N> class Planar_field : public Field_run<Planar_field<N>, Planar_level<N>> {
+  using Base = Field_run<Planar_field<N>, Planar_level<N>>;
+
 public:
-  using Evaluator = std::function<double(std::size_t, const Gradients&)>;
+  using Evaluator = typename Base::Evaluator;
 
   Planar_field(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
                const std::vector<Constrained_halfedge>& edges, const Odeco_field_options& options,
                const Evaluator& evaluator)
-      : m_options(options), m_evaluator(evaluator), m_position(canonical_position(mesh, points, edges)),
+      : Base(options, evaluator), m_options(options), m_position(canonical_position(mesh, points, edges)),
         m_mesh(canonical_mesh(mesh, points, edges)), m_elements(make_elements())
   {
   }
@@ -85,22 +62,16 @@ public:
   Odeco_field_result solve(Gradients& gradients)
   {
     const Stopwatch stopwatch;
-    // Only its copies factorise, so that no factor is kept longer than it is used.
-    const Field_solver<N> analyzed(
-        m_elements, melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
-        m_options.threads, m_options.observer, m_options.solver, m_options.target_size_weight);
+    const std::unique_ptr<Field_solver<N>> analyzed =
+        make_solver(m_elements, melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
+                    m_options.solver);
     if (m_options.initial_field.empty())
-      compute_starts(analyzed);
+      this->compute_starts(m_mesh, m_elements, *analyzed, m_options.starts);
     else
-      compute_initial_start(analyzed);
-    choose_start();
-
-    const Field_start& chosen = m_result.starts[std::size_t(m_result.chosen)];
-    const Eigen::VectorXd& x = m_fields[std::size_t(m_result.chosen)];
-    gradients = gradients_of(x);
-    m_result.energy = chosen.energy;
-    m_result.energy_lie = chosen.energy_lie;
-    m_result.energy_odeco = chosen.energy_odeco;
+      compute_initial_start(*analyzed);
+    const Eigen::VectorXd& x = this->choose_start(m_result, gradients);
+    m_result.energy_lie = m_result.starts[std::size_t(m_result.chosen)].energy_lie;
+    m_result.energy_odeco = m_result.starts[std::size_t(m_result.chosen)].energy_odeco;
     for (std::size_t v = 0; v < m_elements.number_of_nodes(); ++v)
       m_result.harmonics.push_back(
           m_position.original_harmonics(Tensor_coefficients<N>::harmonics(m_elements.coefficients(v, x))));
@@ -109,31 +80,18 @@ public:
   }
 
 private:
-  using Hierarchy = Field_hierarchy<Planar_level<N>>;
+  friend Base;
 
-  void compute_starts(const Field_solver<N>& analyzed)
+  std::unique_ptr<Field_solver<N>> make_solver(const Field_elements<N>& elements,
+                                               const Melt_and_freeze_schedule& schedule, Field_solver_kind kind) const
   {
-    const bool melts = m_options.integrable && m_options.solver == Field_solver_kind::levenberg_marquardt;
-    const int n_melted = melts ? m_options.starts : 0;
-    m_result.starts.resize(m_options.integrable ? 2 + std::size_t(n_melted) : 1);
-    m_fields.resize(m_result.starts.size());
-    compute_smooth_and_relaxed_starts(analyzed);
-    if (n_melted > 0) {
-      const Hierarchy hierarchy(m_mesh, m_elements, m_options.schedule,
-                                [this](const Planar_level<N>& level, const Melt_and_freeze_schedule& schedule) {
-                                  return std::make_unique<Field_solver<N>>(
-                                      level.elements, schedule, m_options.threads, m_options.observer,
-                                      Field_solver_kind::levenberg_marquardt, m_options.target_size_weight);
-                                });
-      const int at_once = int(std::clamp<std::size_t>(triangles_at_once / m_elements.number_of_elements(), 1, 1000));
-      const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
-      parallel_for(
-          std::size_t(n_melted), start_threads,
-          [&](std::size_t i) {
-            compute_melted_start(i, analyzed, start_threads > 1 ? 1 : m_options.threads, hierarchy);
-          },
-          1);
-    }
+    return std::make_unique<Field_solver<N>>(elements, schedule, m_options.threads, m_options.observer, kind,
+                                             m_options.target_size_weight);
+  }
+  std::unique_ptr<Field_solver<N>> make_level_solver(const Planar_level<N>& level,
+                                                     const Melt_and_freeze_schedule& schedule) const
+  {
+    return make_solver(level.elements, schedule, Field_solver_kind::levenberg_marquardt);
   }
 
   void compute_initial_start(const Field_solver<N>& analyzed)
@@ -146,11 +104,11 @@ private:
           v, Tensor_coefficients<N>::from_harmonics(m_position.harmonics(m_options.initial_field[v])), m_fields[0]);
     if (m_options.integrable)
       solver.integrate(m_fields[0]);
-    m_result.starts.resize(1);
+    m_starts.resize(1);
     Field_start start;
     start.kind = Field_start::Kind::initial;
     start.iterations = solver.iterations();
-    finish_start(0, start, solver, watch);
+    this->finish_start(0, start, m_elements, solver, watch);
   }
 
   /// Unit of length: the domain; unit of sizes: the geometric mean of the prescribed ones.
@@ -253,97 +211,39 @@ private:
             low_harmonics(metric_power(m_position.metric(m_options.target_metric[v]), -0.5));
   }
 
-  void compute_smooth_and_relaxed_starts(const Field_solver<N>& analyzed)
+  /// One frame per face from the mean of its corners' coefficients; planar-2, section 7.1.
+  ///
+  /// The sizes of planar-2's eq. (35) keep their ratio but take the area of eq. (21): where the tensor melts around a
+  /// singularity the former shrink by up to a quarter, the area does not.
+  std::vector<Orthogonal_frame_2> face_frames(const Eigen::VectorXd& x) const
   {
-    Field_solver<N> solver(analyzed, m_options.threads);
-    const Stopwatch smooth_watch;
-    m_fields[0] = solver.smooth_field();
-    Field_start start;
-    start.iterations = solver.iterations();
-    finish_start(0, start, solver, smooth_watch);
-    if (!m_options.integrable)
-      return;
-
-    const Stopwatch relaxed_watch;
-    m_fields[1] = m_fields[0];
-    solver.integrate(m_fields[1]);
-    start.kind = Field_start::Kind::relaxed;
-    start.iterations = solver.iterations() - start.iterations;
-    finish_start(1, start, solver, relaxed_watch);
-  }
-
-  void compute_melted_start(std::size_t i, const Field_solver<N>& analyzed, int threads, const Hierarchy& hierarchy)
-  {
-    const Stopwatch watch;
-    Field_solver<N> solver(analyzed, threads);
-    Field_start start;
-    start.kind = Field_start::Kind::melted;
-    start.seed = m_options.seed + i;
-    if (hierarchy.empty()) {
-      m_fields[i + 2] = solver.melt_and_freeze(m_fields[0], start.seed);
-    } else {
-      m_fields[i + 2] = hierarchy.melt_and_freeze(start.seed, m_elements, solver, start.iterations);
-    }
-    start.iterations += solver.iterations();
-    finish_start(i + 2, start, solver, watch);
-  }
-
-  void finish_start(std::size_t i, Field_start start, const Field_solver<N>& solver, const Stopwatch& watch)
-  {
-    start.energy = solver.integrability_energy(m_fields[i]);
-    const typename Field_solver<N>::Energy_parts parts = solver.energy_parts(m_fields[i]);
-    start.energy_lie = parts.lie;
-    start.energy_odeco = parts.odeco;
-    const Gradients gradients = std::isfinite(start.energy) ? gradients_of(m_fields[i]) : Gradients();
-    start.valid = !gradients.empty();
-    start.cost = std::numeric_limits<double>::infinity();
-    if (start.valid) {
-      start.size_deviation = size_deviation(m_fields[i]);
-      start.cost = (m_evaluator ? m_evaluator(i, gradients) : start.energy) +
-                   m_options.size_deviation_weight * start.size_deviation;
-    }
-    start.seconds = watch.seconds();
-    m_result.starts[i] = start;
-  }
-
-  void choose_start()
-  {
-    m_result.chosen = best_start(m_result.starts);
-    for (const Field_start& start : m_result.starts)
-      m_result.iterations += start.iterations;
-  }
-
-  double size_deviation(const Eigen::VectorXd& x) const
-  {
-    double sum = 0;
-    const std::vector<Orthogonal_frame_2> frames = face_frames(m_elements, x);
+    using Coefficients = typename Field_elements<N>::Coefficients;
+    std::vector<Coefficients> q(m_elements.number_of_nodes());
+    for (std::size_t v = 0; v < q.size(); ++v)
+      q[v] = m_elements.coefficients(v, x);
+    std::vector<Orthogonal_frame_2> frames(m_elements.number_of_elements());
     for (std::size_t f = 0; f < frames.size(); ++f) {
-      const auto& element = m_elements.element(f);
-      double log_ratio = 0.5 * std::log(frames[f].size_u * frames[f].size_v);
-      for (const int v : element.vertex)
-        log_ratio -= m_elements.expected_log_value(std::size_t(v)) / 3;
-      sum += element.area * log_ratio * log_ratio;
+      const auto& vertex = m_elements.corners(f);
+      const Coefficients mean = (q[std::size_t(vertex[0])] + q[std::size_t(vertex[1])] + q[std::size_t(vertex[2])]) / 3;
+      if (!recover_frame_of_area(Tensor_coefficients<N>::harmonics(mean), frames[f]))
+        return {};
     }
-    return sum / m_elements.total_area();
+    return frames;
   }
 
-  /// In the original position. Empty if a size is not positive.
-  Gradients gradients_of(const Eigen::VectorXd& x) const
+  Gradients::value_type gradients_of(const Orthogonal_frame_2& frame) const
   {
-    Gradients pairs;
-    for (const Orthogonal_frame_2& frame : face_frames(m_elements, x))
-      pairs.emplace_back(m_position.original_direction(frame.direction) / m_position.original_size(frame.size_u),
-                         m_position.original_direction(frame.normal()) / m_position.original_size(frame.size_v));
-    return pairs;
+    return {m_position.original_direction(frame.direction) / m_position.original_size(frame.size_u),
+            m_position.original_direction(frame.normal()) / m_position.original_size(frame.size_v)};
   }
 
+  using Base::m_fields;
+  using Base::m_starts;
   const Odeco_field_options& m_options;
-  const Evaluator& m_evaluator;
   Odeco_field_result m_result;
   Canonical_position m_position;
   Constrained_mesh m_mesh; ///< in the canonical position
   Field_elements<N> m_elements;
-  std::vector<Eigen::VectorXd> m_fields; ///< by start
 };
 
 /// See `odeco_frame_field`.

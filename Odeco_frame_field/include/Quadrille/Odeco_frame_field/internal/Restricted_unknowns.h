@@ -103,10 +103,10 @@ public:
   Coefficients coefficients(std::size_t v, const Eigen::VectorXd& x) const
   {
     const Vertex_restriction<N>& r = m_restrictions[v];
-    Coefficients s;
+    Coefficients q = r.offset;
     for (int i = 0; i < r.dimension; ++i)
-      s[i] = x[m_index[v][std::size_t(i)]];
-    return r.offset + r.basis.leftCols(r.dimension) * s.head(r.dimension);
+      q += r.basis.col(i) * x[m_index[v][std::size_t(i)]];
+    return q;
   }
 
   /// The unknowns whose coefficients are nearest to the given ones; of shared unknowns the last assignment counts.

@@ -95,6 +95,7 @@ public:
   std::size_t number_of_nodes() const { return m_unknowns.number_of_nodes(); }
   std::size_t number_of_unknowns() const { return m_unknowns.number_of_unknowns(); }
   const Element& element(std::size_t e) const { return m_elements[e]; }
+  const std::array<int, 3>& corners(std::size_t e) const { return m_elements[e].node; }
   const Surface_nodes& nodes() const { return m_nodes; }
   const Restricted_unknowns<N>& unknowns() const { return m_unknowns; }
   double expected_log_value(std::size_t v) const { return m_expected_log_values[v]; }

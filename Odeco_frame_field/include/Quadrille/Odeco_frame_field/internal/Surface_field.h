@@ -5,6 +5,7 @@
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_SURFACE_FIELD_H
 
 #include <Quadrille/Odeco_frame_field/internal/Canonical_space_position.h>
+#include <Quadrille/Odeco_frame_field/internal/Field_run.h>
 #include <Quadrille/Odeco_frame_field/internal/Surface_field_solver.h>
 #include <Quadrille/Odeco_frame_field/internal/check_field_arguments.h>
 #include <Quadrille/Surface_field_options.h>
@@ -25,14 +26,16 @@ namespace internal {
 constexpr double triangles_of_paper_weights = 30000;
 
 /// One run of `odeco_surface_field` on index arrays; N coefficients per node (3: isotropic frames).
-template <int N> class Surface_field {
+template <int N> class Surface_field : public Field_run<Surface_field<N>, Surface_level<N>> {
+  using Base = Field_run<Surface_field<N>, Surface_level<N>>;
+
 public:
-  using Evaluator = std::function<double(std::size_t, const Gradients&)>;
+  using Evaluator = typename Base::Evaluator;
 
   Surface_field(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector3d>& points,
                 const std::vector<Constrained_halfedge>& edges, const Surface_field_options& options,
                 const Evaluator& evaluator)
-      : m_options(options), m_evaluator(evaluator), m_position(canonical_position(mesh, points, edges)),
+      : Base(options, evaluator), m_options(options), m_position(canonical_position(mesh, points, edges)),
         m_problem(canonical_surface(mesh, points, edges), canonical_targets()),
         m_elements(make_surface_elements<N>(m_problem, restrict_surface<N>(m_problem.constraints),
                                             options.terms_as_in_paper ? Normal_value::one : Normal_value::mean))
@@ -44,16 +47,12 @@ public:
   Surface_field_result solve(Gradients& gradients)
   {
     const Stopwatch stopwatch;
-    const Surface_field_solver<N> analyzed(
-        m_problem, m_elements, weights(),
-        melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()), m_options.threads,
-        m_options.observer, m_options.solver);
-    compute_starts(analyzed);
-    choose_start();
-    const Eigen::VectorXd& x = m_fields[std::size_t(m_result.chosen)];
-    gradients = gradients_of(x);
-    m_result.energy = m_result.starts[std::size_t(m_result.chosen)].energy;
-    m_result.terms = analyzed.energy_terms(x);
+    const std::unique_ptr<Surface_field_solver<N>> analyzed = make_solver(
+        m_problem, m_elements, melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
+        m_options.solver);
+    this->compute_starts(m_problem, m_elements, *analyzed, m_options.terms_as_in_paper ? 0 : m_options.starts);
+    const Eigen::VectorXd& x = this->choose_start(m_result, gradients);
+    m_result.terms = analyzed->energy_terms(x);
     for (std::size_t f = 0; f < m_elements.number_of_elements(); ++f) {
       const Eigen::Matrix3d axes = m_position.axes() * m_elements.element(f).axes;
       const Symmetric_tensor_3 tensor(Symmetric_tensor_3::Entries(centroid_tensor(f, x).values));
@@ -64,7 +63,21 @@ public:
   }
 
 private:
-  using Hierarchy = Field_hierarchy<Surface_level<N>>;
+  friend Base;
+
+  std::unique_ptr<Surface_field_solver<N>> make_solver(const Surface_problem& problem,
+                                                       const Surface_elements<N>& elements,
+                                                       const Melt_and_freeze_schedule& schedule,
+                                                       Field_solver_kind kind) const
+  {
+    return std::make_unique<Surface_field_solver<N>>(problem, elements, weights(), schedule, m_options.threads,
+                                                     m_options.observer, kind);
+  }
+  std::unique_ptr<Surface_field_solver<N>> make_level_solver(const Surface_level<N>& level,
+                                                             const Melt_and_freeze_schedule& schedule) const
+  {
+    return make_solver(level.mesh, level.elements, schedule, Field_solver_kind::levenberg_marquardt);
+  }
 
   Surface_weights weights() const
   {
@@ -140,88 +153,6 @@ private:
     return targets;
   }
 
-  void compute_starts(const Surface_field_solver<N>& analyzed)
-  {
-    const bool melts = m_options.integrable && m_options.solver == Field_solver_kind::levenberg_marquardt &&
-                       !m_options.terms_as_in_paper;
-    const int n_melted = melts ? m_options.starts : 0;
-    m_result.starts.resize(m_options.integrable ? 2 + std::size_t(n_melted) : 1);
-    m_fields.resize(m_result.starts.size());
-    compute_smooth_and_relaxed_starts(analyzed);
-    if (n_melted == 0)
-      return;
-    const Hierarchy hierarchy(m_problem, m_elements, m_options.schedule,
-                              [this](const Surface_level<N>& level, const Melt_and_freeze_schedule& schedule) {
-                                return std::make_unique<Surface_field_solver<N>>(
-                                    level.mesh, level.elements, weights(), schedule, m_options.threads,
-                                    m_options.observer, Field_solver_kind::levenberg_marquardt);
-                              });
-    const int at_once = int(std::clamp<std::size_t>(triangles_at_once / m_elements.number_of_elements(), 1, 1000));
-    const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
-    parallel_for(
-        std::size_t(n_melted), start_threads,
-        [&](std::size_t i) { compute_melted_start(i, analyzed, start_threads > 1 ? 1 : m_options.threads, hierarchy); },
-        1);
-  }
-
-  void compute_smooth_and_relaxed_starts(const Surface_field_solver<N>& analyzed)
-  {
-    Surface_field_solver<N> solver(analyzed, m_options.threads);
-    const Stopwatch smooth_watch;
-    m_fields[0] = solver.smooth_field();
-    Field_start start;
-    start.iterations = solver.iterations();
-    finish_start(0, start, solver, smooth_watch);
-    if (!m_options.integrable)
-      return;
-
-    const Stopwatch relaxed_watch;
-    m_fields[1] = m_fields[0];
-    solver.integrate(m_fields[1]);
-    start.kind = Field_start::Kind::relaxed;
-    start.iterations = solver.iterations() - start.iterations;
-    finish_start(1, start, solver, relaxed_watch);
-  }
-
-  void compute_melted_start(std::size_t i, const Surface_field_solver<N>& analyzed, int threads,
-                            const Hierarchy& hierarchy)
-  {
-    const Stopwatch watch;
-    Surface_field_solver<N> solver(analyzed, threads);
-    Field_start start;
-    start.kind = Field_start::Kind::melted;
-    start.seed = m_options.seed + i;
-    m_fields[i + 2] = hierarchy.empty() ? solver.melt_and_freeze(m_fields[0], start.seed)
-                                        : hierarchy.melt_and_freeze(start.seed, m_elements, solver, start.iterations);
-    start.iterations += solver.iterations();
-    finish_start(i + 2, start, solver, watch);
-  }
-
-  void finish_start(std::size_t i, Field_start start, const Surface_field_solver<N>& solver, const Stopwatch& watch)
-  {
-    start.energy = solver.integrability_energy(m_fields[i]);
-    const auto parts = solver.energy_parts(m_fields[i]);
-    start.energy_lie = parts.lie;
-    start.energy_odeco = parts.odeco;
-    const Gradients gradients = std::isfinite(start.energy) ? gradients_of(m_fields[i]) : Gradients();
-    start.valid = !gradients.empty();
-    start.cost = std::numeric_limits<double>::infinity();
-    if (start.valid) {
-      start.size_deviation = size_deviation(m_fields[i]);
-      start.cost = (m_evaluator ? m_evaluator(i, gradients) : start.energy) +
-                   m_options.size_deviation_weight * start.size_deviation;
-    }
-    start.seconds = watch.seconds();
-    m_result.starts[i] = start;
-  }
-
-  void choose_start()
-  {
-    m_result.chosen = best_start(m_result.starts);
-    for (const Field_start& start : m_result.starts)
-      m_result.iterations += start.iterations;
-  }
-
   Space_tensor<double> centroid_tensor(std::size_t f, const Eigen::VectorXd& x) const
   {
     std::array<int, std::size_t(Surface_elements<N>::max_unknowns)> index;
@@ -234,57 +165,32 @@ private:
     return triangle.mean(Field_residuals<N>::centroid_weights);
   }
 
-  /// Per face, the gradients in the triangle's axes: of the restriction of the tensor at the centroid to its plane;
-  /// surface, 4.2.7. Near singularities, where tensors are not odeco, the nearest directions with the area of the
-  /// tensor itself, as in the plane. Empty if a length is not positive.
+  /// Per face, of the restriction of the tensor at the centroid to the triangle's plane; surface, 4.2.7. Near
+  /// singularities, where tensors are not odeco, the nearest directions with the area of the tensor itself, as in the
+  /// plane.
   std::vector<Orthogonal_frame_2> face_frames(const Eigen::VectorXd& x) const
   {
     std::vector<Orthogonal_frame_2> frames(m_elements.number_of_elements());
     for (std::size_t f = 0; f < frames.size(); ++f) {
       const Space_tensor<double> t = centroid_tensor(f, x);
-      const Circular_harmonics q =
-          Symmetric_tensor_2(Symmetric_tensor_2::Entries(t[0], t[1], t[3], t[6], t[10])).harmonics();
-      frames[f] = recover_frame(q);
-      const double area = frame_area(q);
-      if (!(frames[f].size_u > 0) || !(frames[f].size_v > 0) || !(area > 0))
+      const Symmetric_tensor_2 restricted(Symmetric_tensor_2::Entries(t[0], t[1], t[3], t[6], t[10]));
+      if (!recover_frame_of_area(restricted.harmonics(), frames[f]))
         return {};
-      const double scale = std::sqrt(area / (frames[f].size_u * frames[f].size_v));
-      frames[f].size_u *= scale;
-      frames[f].size_v *= scale;
     }
     return frames;
   }
 
-  double size_deviation(const Eigen::VectorXd& x) const
+  Gradients::value_type gradients_of(const Orthogonal_frame_2& frame) const
   {
-    double sum = 0;
-    const std::vector<Orthogonal_frame_2> frames = face_frames(x);
-    for (std::size_t f = 0; f < frames.size(); ++f) {
-      const auto& element = m_elements.element(f);
-      double log_ratio = 0.5 * std::log(frames[f].size_u * frames[f].size_v);
-      for (const int v : element.node)
-        log_ratio -= m_elements.expected_log_value(std::size_t(v)) / 3;
-      sum += element.area * log_ratio * log_ratio;
-    }
-    return sum / m_elements.total_area();
-  }
-
-  Gradients gradients_of(const Eigen::VectorXd& x) const
-  {
-    Gradients pairs;
-    for (const Orthogonal_frame_2& frame : face_frames(x))
-      pairs.emplace_back(frame.direction * frame.size_u / m_position.original_size(1),
-                         frame.normal() * frame.size_v / m_position.original_size(1));
-    return pairs;
+    return {frame.direction * frame.size_u / m_position.original_size(1),
+            frame.normal() * frame.size_v / m_position.original_size(1)};
   }
 
   const Surface_field_options& m_options;
-  const Evaluator& m_evaluator;
   Surface_field_result m_result;
   Canonical_space_position m_position;
   Surface_problem m_problem; ///< in the canonical position
   Surface_elements<N> m_elements;
-  std::vector<Eigen::VectorXd> m_fields; ///< by start
 };
 
 /// Where the surface is given: rounded coordinates would hide what is degenerate.
