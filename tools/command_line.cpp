@@ -72,7 +72,7 @@ po::options_description quad_options()
   options.add_options()(
       "size-field", po::value<Strings>()->value_name("F"),
       "sizes wanted inside: a Gmsh view of sizes or metrics (.pos .msh), or lines 'x y size [radius]' "
-      "or 'x y size size angle [radius]' (.txt .csv)");
+      "or 'x y size size angle [radius]' (.txt .csv); on surfaces, views of sizes or lines 'x y z size [radius]'");
   options.add_options()("size-field-weight", po::value<Strings>()->value_name("W"),
                         "how much they matter against integrability (default 10)");
   options.add_options()("impose-size-field", "fix these sizes instead of attracting to them");

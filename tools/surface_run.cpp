@@ -11,6 +11,7 @@
 #include "surface_picture.h"
 
 #include <Quadrille/Size_specification.h>
+#include <Quadrille/read_size_field.h>
 #include <Quadrille/write_mesh.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ private:
         {"--count", !m_arguments.counts.empty()},
         {"--layout", m_arguments.layout != defaults.layout},
         {"--quantizer", m_arguments.quantizer != defaults.quantizer},
-        {"--size-field", !m_arguments.size_field.empty()},
+        {"--impose-size-field", m_arguments.impose_size_field},
         {"--solver lbfgs-kappa", m_arguments.solver == Field_solver_kind::lbfgs_kappa}};
     for (const auto& [option, is_given] : given)
       if (is_given)
@@ -64,6 +65,8 @@ private:
                                    "--isotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
     m_typical_size = specification.typical_size(m_domain);
+    if (!m_arguments.size_field.empty())
+      m_target_size = read_size_field(m_arguments.size_field, m_domain);
     remove_unaligned_curves(m_domain, m_arguments.unaligned);
     std::ostringstream line;
     line << m_arguments.input << ": a surface of " << m_domain.mesh.number_of_faces() << " triangles, "
@@ -83,6 +86,8 @@ private:
     options.field.weights = m_arguments.preset.value_or(has_sizes ? Surface_field_weights::sizing()
                                                                   : Surface_field_weights::angle_preserving());
     options.field.typical_size = m_typical_size;
+    options.field.target_size = m_target_size;
+    options.field.target_size_weight = m_arguments.size_field_weight;
     options.field.solver = m_arguments.solver;
     options.field.terms_as_in_paper = m_arguments.solver == Field_solver_kind::lbfgs;
     options.field.starts =
@@ -155,6 +160,7 @@ private:
   Surface_domain m_domain;
   Domain_sizes m_sizes;
   double m_typical_size = 0;
+  std::vector<double> m_target_size;
   Surface_pipeline_result m_result;
 };
 

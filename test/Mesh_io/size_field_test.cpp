@@ -4,6 +4,7 @@
 #include "temporary_files.h"
 
 #include <Quadrille/read_size_field.h>
+#include <Quadrille/read_surface_domain.h>
 
 #include <gtest/gtest.h>
 
@@ -177,6 +178,77 @@ TEST_F(Size_field_files, unusable_files_are_errors)
   expect_failure("j.pos", "View \"size\" {\nST(5, 5, 0, 6, 5, 0, 6, 6, 0){1, 2, 4};\n};\n", "anywhere inside");
   expect_failure("k.pos", "Point(1) = {0, 0, 0};\n", "no node data");
   EXPECT_THROW(read_size_field(path("none.txt"), m_domain), Invalid_input_error);
+}
+
+/// Of the unit sphere, by latitude and longitude.
+Surface_domain sphere(int n)
+{
+  Labelled_mesh mesh;
+  const double pi = std::acos(-1.);
+  mesh.points.push_back({0, 0, -1});
+  for (int j = 1; j < n; ++j)
+    for (int i = 0; i < 2 * n; ++i) {
+      const double latitude = pi * (double(j) / n - 0.5), longitude = pi * i / n;
+      mesh.points.push_back(
+          {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude)});
+    }
+  mesh.points.push_back({0, 0, 1});
+  const auto at = [&](int j, int i) {
+    return j == 0 ? 0 : j == n ? int(mesh.points.size()) - 1 : 1 + (j - 1) * 2 * n + i % (2 * n);
+  };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < 2 * n; ++i) {
+      if (j > 0)
+        mesh.polygons.push_back({at(j, i), at(j, i + 1), at(j + 1, i)});
+      if (j + 1 < n)
+        mesh.polygons.push_back({at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)});
+    }
+  return make_surface_domain(mesh, "sphere");
+}
+
+TEST_F(Size_field_files, places_on_surfaces_count_within_their_radius_in_space)
+{
+  const Surface_domain domain = sphere(16);
+  const std::vector<double> size =
+      read_size_field(write("a.txt", "0 0 1 0.05 0.5 # the north pole\n0 0 -1 0.1\n3, 0, 0, 0.2, 0.01\n"), domain);
+  int n_nearest = 0;
+  for (const auto v : domain.mesh.vertices()) {
+    const auto& p = domain.mesh.point(v);
+    const double north = std::hypot(p.x(), p.y(), p.z() - 1), south = std::hypot(p.x(), p.y(), p.z() + 1);
+    if (size[v.idx()] == 0.2) {
+      EXPECT_GT(p.x(), 0.999);
+      ++n_nearest;
+    } else if (std::abs(north - 0.5) > 1e-6 && std::abs(south - 0.2) > 1e-6) {
+      EXPECT_EQ(size[v.idx()], north < 0.5 ? 0.05 : south < 0.2 ? 0.1 : 0);
+    }
+  }
+  EXPECT_EQ(n_nearest, 1);
+}
+
+TEST_F(Size_field_files, places_on_surfaces_have_three_coordinates)
+{
+  const Surface_domain domain = sphere(4);
+  for (const char* text : {"0 0 1", "0 0 1 0.1 0.2 30", "0 0 1 -0.1"})
+    EXPECT_THROW(read_size_field(write("a.txt", text), domain), Invalid_input_error) << text;
+}
+
+TEST_F(Size_field_files, views_are_interpolated_on_surfaces)
+{
+  // The size x + 2 y + 3 z + 10 on the triangles of an octahedron.
+  std::string view = "View \"sizes\" {\n";
+  for (const double x : {-1., 1.})
+    for (const double y : {-1., 1.})
+      for (const double z : {-1., 1.})
+        view += "ST(" + std::to_string(x) + ",0,0,0," + std::to_string(y) + ",0,0,0," + std::to_string(z) + "){" +
+                std::to_string(x + 10) + "," + std::to_string(2 * y + 10) + "," + std::to_string(3 * z + 10) + "};\n";
+  Labelled_mesh mesh;
+  mesh.points = {{1, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0, 0, 1}};
+  mesh.polygons = {{0, 1, 2}, {0, 2, 3}};
+  const std::vector<double> size =
+      read_size_field(write("a.pos", view + "};\n"), make_surface_domain(mesh, "part of an octahedron"));
+  ASSERT_EQ(size.size(), mesh.points.size());
+  for (std::size_t v = 0; v < size.size(); ++v)
+    EXPECT_NEAR(size[v], mesh.points[v][0] + 2 * mesh.points[v][1] + 3 * mesh.points[v][2] + 10, 1e-9);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #define QUADRILLE_READ_SIZE_FIELD_H
 
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/Surface_domain.h>
 
 #include <Eigen/Core>
 
@@ -35,6 +36,11 @@ struct Size_field {
 /// sizes or metrics that are not positive and finite, or nothing inside the domain.
 /// \throws Invalid_argument_error for other file names.
 Size_field read_size_field(const std::string& path, const Planar_domain& domain, double time_limit_seconds = 120);
+
+/// The same on a surface: views with one scalar per node, and places `x y z size [radius]`, whose radius is the
+/// distance in space. \returns per vertex the size, 0 where the file says nothing
+std::vector<double> read_size_field(const std::string& path, const Surface_domain& domain,
+                                    double time_limit_seconds = 120);
 
 } // namespace Quadrille
 

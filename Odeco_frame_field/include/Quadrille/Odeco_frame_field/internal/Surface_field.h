@@ -44,6 +44,29 @@ public:
       m_result.free_corners += constraint.is_free_corner() ? 1 : 0;
   }
 
+  const Surface_problem& problem() const { return m_problem; }
+  const Surface_elements<N>& elements() const { return m_elements; }
+  /// Of the terms of the energy that is minimised.
+  Surface_weights weights() const
+  {
+    Surface_weights weights;
+    weights.as_in_paper = m_options.terms_as_in_paper;
+    weights.area = m_options.weights.area;
+    weights.angle = m_options.weights.angle;
+    weights.target = m_options.target_size_weight;
+    if (weights.as_in_paper) {
+      weights.odeco = m_options.weights.odeco;
+    } else {
+      weights.odeco = m_options.schedule.final_epsilon;
+      weights.area *= triangles_of_paper_weights / 2;
+      weights.angle *= triangles_of_paper_weights / 2;
+      // Where sizes are free nothing else holds them.
+      const double hold = 0.03;
+      weights.area = std::max(weights.area, hold);
+    }
+    return weights;
+  }
+
   Surface_field_result solve(Gradients& gradients)
   {
     const Stopwatch stopwatch;
@@ -77,26 +100,6 @@ private:
                                                              const Melt_and_freeze_schedule& schedule) const
   {
     return make_solver(level.mesh, level.elements, schedule, Field_solver_kind::levenberg_marquardt);
-  }
-
-  Surface_weights weights() const
-  {
-    Surface_weights weights;
-    weights.as_in_paper = m_options.terms_as_in_paper;
-    weights.area = m_options.weights.area;
-    weights.angle = m_options.weights.angle;
-    weights.target = m_options.target_size_weight;
-    if (weights.as_in_paper) {
-      weights.odeco = m_options.weights.odeco;
-    } else {
-      weights.odeco = m_options.schedule.final_epsilon;
-      weights.area *= triangles_of_paper_weights / 2;
-      weights.angle *= triangles_of_paper_weights / 2;
-      // Where sizes are free nothing else holds them.
-      const double hold = 0.03;
-      weights.area = std::max(weights.area, hold);
-    }
-    return weights;
   }
 
   /// Unit of length: the surface; unit of sizes: the geometric mean of the prescribed ones.
