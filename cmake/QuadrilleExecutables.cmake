@@ -16,7 +16,20 @@ target_compile_options(quadrille_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra -Wpedantic -Wconversion -Werror>
   $<$<CXX_COMPILER_ID:MSVC>:/W4>)
 
+# Energies of fields are evaluated for four triangles at a time, about 1.5 times as fast with these instructions. Without
+# fused multiply-adds, whose roundings differ from place to place. Programs that link packages decide by their own flags.
+set(QUADRILLE_HAS_AVX2 OFF)
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_CROSSCOMPILING)
+  include(CheckCXXSourceRuns)
+  check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") ? 0 : 1; }" QUADRILLE_MACHINE_HAS_AVX2)
+  set(QUADRILLE_HAS_AVX2 ${QUADRILLE_MACHINE_HAS_AVX2})
+endif()
+option(QUADRILLE_AVX2 "Build the program for processors with AVX2, as this machine has it" ${QUADRILLE_HAS_AVX2})
+
 add_library(quadrille_executable INTERFACE)
+if(QUADRILLE_AVX2)
+  target_compile_options(quadrille_executable INTERFACE -mavx2)
+endif()
 target_link_libraries(quadrille_executable INTERFACE quadrille_warnings)
 foreach(package IN LISTS QUADRILLE_PACKAGES)
   target_link_libraries(quadrille_executable INTERFACE Quadrille::${package})

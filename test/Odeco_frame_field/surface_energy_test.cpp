@@ -286,21 +286,6 @@ TEST(Surface_energy, curl_is_that_of_the_definition)
   }
 }
 
-TEST(Surface_energy, odeco_quadrics_are_those_of_the_variety)
-{
-  Random random(2);
-  for (int repeat = 0; repeat < 20; ++repeat) {
-    const Symmetric_tensor_3 tensor(Symmetric_tensor_3::Entries(random.vector<15>()));
-    Space_tensor<double> entries;
-    for (int i = 0; i < 15; ++i)
-      entries[i] = tensor.entries()[i];
-    Tuple<double, odeco_quadrics_count> value;
-    internal::odeco_residuals<double>(entries, value, nullptr);
-    const double expected = Quadrille::odeco_residuals(tensor).squaredNorm();
-    EXPECT_NEAR(dot(value, value), expected, 1e-12 * expected);
-  }
-}
-
 TEST(Surface_energy, odeco_term_of_the_paper_is_that_of_the_normalized_tensor)
 {
   const Saddle saddle;

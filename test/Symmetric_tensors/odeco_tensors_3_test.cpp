@@ -113,6 +113,32 @@ TEST_F(Odeco_tensors_3_test, derivatives_of_residuals)
 }
 
 // A tensor n^4 plus a tensor of the plane across n is odeco exactly if that of the plane is.
+TEST_F(Odeco_tensors_3_test, sums_of_quadrics_are_those_of_their_rows)
+{
+  const Odeco_quadrics_3& quadrics = odeco_quadrics_3();
+  for (int i = 0; i < 10; ++i) {
+    const Symmetric_tensor_3::Entries entries = any().entries();
+    std::array<double, 15> t, half_gradient;
+    std::copy(entries.data(), entries.data() + 15, t.begin());
+    Eigen::Matrix<double, 27, 1> values;
+    Eigen::Matrix<double, 27, 15> jacobian;
+    for (int r = 0; r < 27; ++r) {
+      values[r] = quadrics.values(t)[std::size_t(r)];
+      for (int e = 0; e < 15; ++e)
+        jacobian(r, e) = quadrics.jacobian(t)[std::size_t(r)][std::size_t(e)];
+    }
+    EXPECT_NEAR(quadrics.squared_norm(t, half_gradient), values.squaredNorm(), 1e-13 * values.squaredNorm());
+    const Eigen::Matrix<double, 15, 1> gradient = jacobian.transpose() * values;
+    const Eigen::Matrix<double, 15, 15> gram = jacobian.transpose() * jacobian;
+    std::size_t n = 0;
+    for (int e = 0; e < 15; ++e) {
+      EXPECT_NEAR(half_gradient[std::size_t(e)], gradient[e], 1e-13 * gradient.norm());
+      for (int f = 0; f <= e; ++f)
+        EXPECT_NEAR(quadrics.gram(t)[n++], gram(e, f), 1e-13 * gram.norm());
+    }
+  }
+}
+
 TEST_F(Odeco_tensors_3_test, residuals_agree_with_those_of_the_plane)
 {
   double lowest = 1e300, highest = 0;

@@ -44,13 +44,60 @@ public:
             if (triples[k][0] + triples[l][0] == n - c && triples[k][1] + triples[l][1] == c) {
               const double weight = (k == l ? 1 : 2) * n_orders(triples[k]) * n_orders(triples[l]);
               m_products.push_back(make_product(triples[k], triples[l]));
+              m_products.back().weight = weight;
               m_products.back().factor = std::sqrt(weight * sum / (weight + sum));
               m_products.back().share = weight / (weight + sum);
               sum += weight;
             }
-        if (m_products.size() == first + 1)
+        if (m_products.size() == first + 1) {
           m_products.pop_back(); // nothing to compare it with
+          continue;
+        }
+        add_class(first, sum);
       }
+    make_gram_terms();
+  }
+
+  /// The sum of the values' squares, that is |G - sym G|^2, and half its derivatives by the entries.
+  template <class S> S squared_norm(const std::array<S, 15>& t, std::array<S, 15>& half_gradient) const
+  {
+    half_gradient.fill(S(0.0));
+    S sum(0.0);
+    std::array<S, max_class> g;
+    for (const Class& c : m_classes) {
+      S mean(0.0);
+      for (std::size_t m = 0; m < c.count; ++m) {
+        g[m] = S(0.0);
+        for (const std::array<std::size_t, 2>& pair : m_products[c.first + m].entries)
+          g[m] += t[pair[0]] * t[pair[1]];
+        mean += S(m_products[c.first + m].weight / c.weight) * g[m];
+      }
+      for (std::size_t m = 0; m < c.count; ++m) {
+        const S difference = g[m] - mean, weighted = S(m_products[c.first + m].weight) * difference;
+        sum += weighted * difference;
+        for (const std::array<std::size_t, 2>& pair : m_products[c.first + m].entries) {
+          half_gradient[pair[0]] += weighted * t[pair[1]];
+          half_gradient[pair[1]] += weighted * t[pair[0]];
+        }
+      }
+    }
+    return sum;
+  }
+
+  /// J^T J of the Jacobian J: its entries i >= j, row by row.
+  template <class S> std::array<S, 120> gram(const std::array<S, 15>& t) const
+  {
+    std::array<S, 120> pairs, result;
+    for (std::size_t i = 0, n = 0; i < 15; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        pairs[n++] = t[i] * t[j];
+    for (std::size_t e = 0; e < 120; ++e) {
+      S sum(0.0);
+      for (std::size_t k = m_first_term[e]; k < m_first_term[e + 1]; ++k)
+        sum += S(m_terms[k].factor) * pairs[m_terms[k].pair];
+      result[e] = sum;
+    }
+    return result;
   }
 
   /// Values for the entries `t` of a tensor.
@@ -105,8 +152,18 @@ public:
 private:
   struct Product {
     std::array<std::array<std::size_t, 2>, 3> entries; ///< of T_Ks and T_Ls, by s
+    double weight;                                     ///< number of components
     double factor;                                     ///< of the condition, 0 for the first product of a class
     double share;                                      ///< of the product in the mean up to it
+  };
+  static constexpr std::size_t max_class = 6; ///< products of one monomial
+  struct Class {
+    std::size_t first, count; ///< products
+    double weight;            ///< of all of them
+  };
+  struct Term {
+    std::size_t pair; ///< of two entries i >= j: i (i + 1) / 2 + j
+    double factor;
   };
 
   /// Components of a symmetric tensor of order three with this entry.
@@ -125,7 +182,41 @@ private:
     return product;
   }
 
+  void add_class(std::size_t first, double weight) { m_classes.push_back({first, m_products.size() - first, weight}); }
+
+  /// J^T J is a quadratic form of the entries: the sum over all products of w dG dG^T, less that of their means.
+  void make_gram_terms()
+  {
+    std::vector<std::array<double, 120>> form(120, std::array<double, 120>{}); // by entry and pair
+    const auto number_of = [](std::size_t i, std::size_t j) {
+      return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
+    };
+    const auto add = [&](const Product& a, const Product& b, double factor) {
+      for (const std::array<std::size_t, 2>& p : a.entries)
+        for (const std::array<std::size_t, 2>& q : b.entries)
+          for (const std::size_t i : {0, 1})
+            for (const std::size_t j : {0, 1}) // the derivatives by p[i] and q[j]
+              if (p[i] >= q[j])
+                form[number_of(p[i], q[j])][number_of(p[1 - i], q[1 - j])] += factor;
+    };
+    for (const Class& c : m_classes)
+      for (std::size_t a = c.first; a < c.first + c.count; ++a)
+        for (std::size_t b = c.first; b < c.first + c.count; ++b)
+          add(m_products[a], m_products[b],
+              (a == b ? m_products[a].weight : 0) - m_products[a].weight * m_products[b].weight / c.weight);
+    for (std::size_t e = 0; e < 120; ++e) {
+      m_first_term[e] = m_terms.size();
+      for (std::size_t pair = 0; pair < 120; ++pair)
+        if (std::abs(form[e][pair]) > 1e-12)
+          m_terms.push_back({pair, form[e][pair]});
+    }
+    m_first_term[120] = m_terms.size();
+  }
+
   std::vector<Product> m_products; ///< class by class
+  std::vector<Class> m_classes;
+  std::vector<Term> m_terms; ///< of the Gram matrix, entry by entry
+  std::array<std::size_t, 121> m_first_term = {};
 };
 
 /// The only one that is needed.

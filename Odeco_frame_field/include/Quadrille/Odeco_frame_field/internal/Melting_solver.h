@@ -153,8 +153,8 @@ public:
       }
       int begin = 0;
       for (std::size_t i = 0; i < count; ++i) {
-        energies[i] += 0.5 * residuals.segment(begin, ends[i] - begin).squaredNorm();
-        begin = ends[i];
+        for (; begin < ends[i]; ++begin)
+          energies[i] += 0.5 * residuals[begin] * residuals[begin];
       }
     }
     return energies;

@@ -122,6 +122,26 @@ template <class S>
     std::copy(jacobian[std::size_t(r)].begin(), jacobian[std::size_t(r)].end(), (*by_tensor)[r].values);
 }
 
+/// The sum of their squares, half its derivatives by the entries of T, and the Gram matrix J^T J of their Jacobian J
+/// (its entries i >= j, row by row): what Gauss-Newton steps need, in a third of the time.
+template <class S> struct Odeco_sums {
+  S squared_norm;
+  Space_tensor<S> half_gradient;
+  Tuple<S, 120> gram;
+
+  [[gnu::noinline]] Odeco_sums(const Space_tensor<S>& t, bool with_gram)
+  {
+    std::array<S, 15> entries, gradient;
+    std::copy(t.values, t.values + 15, entries.begin());
+    squared_norm = odeco_quadrics_3().squared_norm(entries, gradient);
+    std::copy(gradient.begin(), gradient.end(), half_gradient.values);
+    if (with_gram) {
+      const std::array<S, 120> entries_of_gram = odeco_quadrics_3().gram(entries);
+      std::copy(entries_of_gram.begin(), entries_of_gram.end(), gram.values);
+    }
+  }
+};
+
 } // namespace internal
 } // namespace Quadrille
 

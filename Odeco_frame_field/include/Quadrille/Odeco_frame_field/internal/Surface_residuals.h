@@ -99,24 +99,8 @@ template <int N> struct Surface_residuals {
   template <class S, class Rows>
   [[gnu::noinline]] static void odeco_by_area(const Tuple<Surface_point<S>, points>& at, const S& factor, Rows& rows)
   {
-    for (int p = 0; p < points; ++p) {
-      Tuple<S, odeco_quadrics_count> value;
-      const S scale = planar_scale * factor / at[p].area;
-      if constexpr (Rows::with_derivatives) {
-        Tuple<Space_tensor<S>, odeco_quadrics_count> by_tensor;
-        odeco_residuals(at[p].tensor, value, &by_tensor);
-        const Space_tensor<S> by_log = at[p].log_area_derivatives();
-        for (int r = 0; r < odeco_quadrics_count; ++r) {
-          Space_tensor<S> row = scaled(scale, by_tensor[r]);
-          add_scaled(row, -scale * value[r], by_log);
-          rows.add(scale * value[r], weights[p], row);
-        }
-      } else {
-        odeco_residuals<S>(at[p].tensor, value, nullptr);
-        for (int r = 0; r < odeco_quadrics_count; ++r)
-          rows.add(scale * value[r]);
-      }
-    }
+    for (int p = 0; p < points; ++p)
+      odeco(at[p].tensor, planar_scale * factor / at[p].area, at[p].log_area_derivatives(), weights[p], rows);
   }
 
   /// The odeco penalty of surface, eq. (52), times `factor` squared.
@@ -124,31 +108,57 @@ template <int N> struct Surface_residuals {
   [[gnu::noinline]] static void odeco_by_norm(const Tuple<Surface_point<S>, points>& at, const S& factor, Rows& rows)
   {
     for (int p = 0; p < points; ++p) {
-      Tuple<S, odeco_quadrics_count> value;
       Space_tensor<S> weighted = at[p].tensor;
       for (int e = 0; e < 15; ++e)
         weighted[e] = space_multiplicity[e] * weighted[e];
       const S inverse_square = 1 / dot(weighted, at[p].tensor);
-      const S scale = factor * inverse_square;
-      if constexpr (Rows::with_derivatives) {
-        Tuple<Space_tensor<S>, odeco_quadrics_count> by_tensor;
-        odeco_residuals(at[p].tensor, value, &by_tensor);
-        for (int r = 0; r < odeco_quadrics_count; ++r) {
-          Space_tensor<S> row = scaled(scale, by_tensor[r]);
-          add_scaled(row, -2 * scale * value[r] * inverse_square, weighted);
-          rows.add(scale * value[r], weights[p], row);
-        }
-      } else {
-        odeco_residuals<S>(at[p].tensor, value, nullptr);
-        for (int r = 0; r < odeco_quadrics_count; ++r)
-          rows.add(scale * value[r]);
-      }
+      odeco(at[p].tensor, factor * inverse_square, scaled(2 * inverse_square, weighted), weights[p], rows);
     }
   }
 
 private:
   /// In the plane, on isotropic frames, the penalty is then that of planar-2, so that epsilons mean the same.
   static constexpr double planar_scale = 3.35410196624968454 * pi;
+
+  /// The rows scale c(T), where d log(1 / scale) = `by_log` . dT.
+  template <class S, class Rows>
+  static void odeco(const Space_tensor<S>& t, const S& scale, const Space_tensor<S>& by_log, const double (&weight)[3],
+                    Rows& rows)
+  {
+    if constexpr (Rows::takes_sums) {
+      const Odeco_sums<S> sums(t, Rows::with_matrix);
+      const S square = scale * scale;
+      Space_tensor<S> gradient = scaled(square, sums.half_gradient);
+      add_scaled(gradient, -square * sums.squared_norm, by_log);
+      if constexpr (Rows::with_matrix) {
+        // J = scale (dc - c by_log^T)
+        Tuple<S, 120> gram;
+        for (int i = 0, n = 0; i < 15; ++i) {
+          const S a = sums.squared_norm * by_log[i] - sums.half_gradient[i];
+          for (int j = 0; j <= i; ++j, ++n)
+            gram[n] = square * (sums.gram[n] + a * by_log[j] - by_log[i] * sums.half_gradient[j]);
+        }
+        rows.add_sums(square * sums.squared_norm, weight, gradient, gram);
+      } else {
+        rows.add_sums(square * sums.squared_norm, weight, gradient);
+      }
+    } else {
+      Tuple<S, odeco_quadrics_count> value;
+      if constexpr (Rows::with_derivatives) {
+        Tuple<Space_tensor<S>, odeco_quadrics_count> by_tensor;
+        odeco_residuals(t, value, &by_tensor);
+        for (int r = 0; r < odeco_quadrics_count; ++r) {
+          Space_tensor<S> row = scaled(scale, by_tensor[r]);
+          add_scaled(row, -scale * value[r], by_log);
+          rows.add(scale * value[r], weight, row);
+        }
+      } else {
+        odeco_residuals<S>(t, value, nullptr);
+        for (int r = 0; r < odeco_quadrics_count; ++r)
+          rows.add(scale * value[r]);
+      }
+    }
+  }
 
   template <class S> static Space_matrix<S> squared(const Space_matrix<S>& m)
   {

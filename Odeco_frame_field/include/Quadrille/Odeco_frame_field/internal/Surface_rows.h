@@ -19,7 +19,7 @@ namespace internal {
 /// Keeps the residuals.
 template <class S, int N, int rows> class Surface_value_rows {
 public:
-  static constexpr bool with_derivatives = false;
+  static constexpr bool with_derivatives = false, takes_sums = false;
 
   explicit Surface_value_rows(const Surface_triangle<S, N>&) {}
   const Tuple<S, rows>& values() const { return m_values; }
@@ -75,7 +75,7 @@ private:
 /// Keeps the residuals and their derivatives by the corners' coefficients.
 template <class S, int N, int rows> class Surface_jacobian_rows {
 public:
-  static constexpr bool with_derivatives = true;
+  static constexpr bool with_derivatives = true, takes_sums = false;
 
   explicit Surface_jacobian_rows(const Surface_triangle<S, N>& triangle) : m_corners(triangle) {}
   const Tuple<S, rows>& values() const { return m_values; }
@@ -123,7 +123,7 @@ private:
 /// Adds up the energy, half the squared norm of the residuals, and its derivatives, without a Jacobian.
 template <class S, int N> class Surface_gradient_rows {
 public:
-  static constexpr bool with_derivatives = true;
+  static constexpr bool with_derivatives = true, takes_sums = true, with_matrix = false;
 
   explicit Surface_gradient_rows(const Surface_triangle<S, N>& triangle) : m_triangle(triangle) {}
 
@@ -153,6 +153,13 @@ public:
     for (int k = 0; k < 3; ++k)
       add_scaled(m_by_corner[k], weight[k] * value, by_tensor);
   }
+  /// Rows of the mean tensor, by the sum of their squares, and half its derivatives.
+  [[gnu::noinline]] void add_sums(const S& squares, const double (&weight)[3], const Space_tensor<S>& half_gradient)
+  {
+    m_twice_energy += squares;
+    for (int k = 0; k < 3; ++k)
+      add_scaled(m_by_corner[k], weight[k], half_gradient);
+  }
   void add_with_curl(const S& value, const double (&weight)[3], const Space_tensor<S>& by_tensor,
                      const Cubic_tensor<S>& by_curl)
   {
@@ -177,20 +184,38 @@ private:
 /// Adds up the energy, its derivatives, and the Gauss-Newton matrix J^T J.
 template <class S, int N> class Surface_normal_rows {
 public:
-  static constexpr bool with_derivatives = true;
+  static constexpr bool with_derivatives = true, takes_sums = true, with_matrix = true;
   using Matrix = Tuple<Tuple<S, 3 * N>, 3 * N>;
 
-  explicit Surface_normal_rows(const Surface_triangle<S, N>& triangle) : m_corners(triangle) {}
+  explicit Surface_normal_rows(const Surface_triangle<S, N>& triangle) : m_triangle(triangle), m_corners(triangle) {}
 
   S energy() const { return 0.5 * m_twice_energy; }
   Tuple<S, 3 * N> gradient() const { return m_gradient; }
   /// Its lower triangle.
-  const Matrix& matrix() const { return m_matrix; }
+  [[gnu::noinline]] Matrix matrix() const
+  {
+    Matrix result = m_matrix;
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l <= k; ++l)
+        add_block(k, l, result);
+    return result;
+  }
 
   template <int count> void skip() {}
   void add(const S& value, const double (&weight)[3], const Space_tensor<S>& by_tensor)
   {
     keep(value, m_corners.of_mean(weight, by_tensor));
+  }
+  /// Rows of the mean tensor, by the sum of their squares, half its derivatives, and J^T J (its entries i >= j, row by
+  /// row).
+  [[gnu::noinline]] void add_sums(const S& squares, const double (&weight)[3], const Space_tensor<S>& half_gradient,
+                                  const Tuple<S, 120>& gram)
+  {
+    m_twice_energy += squares;
+    add_scaled(m_gradient, 1, m_corners.of_mean(weight, half_gradient));
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l <= k; ++l)
+        add_scaled(m_gram[block(k, l)], weight[k] * weight[l], gram);
   }
   void add_with_curl(const S& value, const double (&weight)[3], const Space_tensor<S>& by_tensor,
                      const Cubic_tensor<S>& by_curl)
@@ -208,6 +233,28 @@ public:
   }
 
 private:
+  static constexpr int block(int k, int l) { return k * (k + 1) / 2 + l; } ///< \pre k >= l
+
+  /// From the tensors of corners k and l to their coefficients.
+  [[gnu::noinline]] void add_block(int k, int l, Matrix& result) const
+  {
+    const Tuple<S, 120>& gram = m_gram[block(k, l)];
+    for (int j = 0; j < N; ++j) {
+      const Space_tensor<S>& b = m_triangle.aligned[l].basis[j];
+      Space_tensor<S> image = {};
+      for (int r = 0, n = 0; r < 15; ++r, ++n) {
+        S sum = image[r];
+        for (int c = 0; c < r; ++c, ++n) {
+          sum += gram[n] * b[c];
+          image[c] += gram[n] * b[r];
+        }
+        image[r] = sum + gram[n] * b[r];
+      }
+      for (int i = k == l ? j : 0; i < N; ++i)
+        result[k * N + i][l * N + j] += dot(m_triangle.aligned[k].basis[i], image);
+    }
+  }
+
   [[gnu::noinline]] void keep(const S& value, const Tuple<S, 3 * N>& row)
   {
     m_twice_energy += value * value;
@@ -217,10 +264,12 @@ private:
         m_matrix[i][j] += row[i] * row[j];
   }
 
+  const Surface_triangle<S, N>& m_triangle;
   Corner_derivatives<S, N> m_corners;
   S m_twice_energy = 0;
   Tuple<S, 3 * N> m_gradient = {};
   Matrix m_matrix = {};
+  Tuple<Tuple<S, 120>, 6> m_gram = {}; ///< by tensors, of pairs of corners
 };
 
 } // namespace internal

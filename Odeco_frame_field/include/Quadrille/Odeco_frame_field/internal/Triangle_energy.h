@@ -87,8 +87,9 @@ public:
     if (!energy().add_rows(triangle, rows))
       return false;
     keep_gradients(first, count, rows, results);
+    const auto& matrix = rows.matrix();
     for (int i = 0; i < count; ++i)
-      keep_matrix(first + std::size_t(i), i, rows.matrix(), results[i]);
+      keep_matrix(first + std::size_t(i), i, matrix, results[i]);
     return true;
   }
 

@@ -10,9 +10,55 @@
 namespace Quadrille {
 namespace internal {
 
+#ifdef __AVX__
+inline namespace wide { // code for other processors must not be mixed with this
+
 /// Four numbers that are computed with at once, so that formulas written for a scalar type do four elements in the
-/// vector registers. It computes each number as `double` does. Vector types of GCC and Clang, in halves that fit the
-/// registers of every 64-bit processor.
+/// vector registers. It computes each number as `double` does. A vector type of GCC and Clang.
+class Pack {
+  using Vector = double __attribute__((vector_size(32)));
+
+public:
+  static constexpr int size = 4;
+
+  Pack() = default;
+  Pack(double s) : m_values{s, s, s, s} {}
+  Pack(double a, double b, double c, double d) : m_values{a, b, c, d} {}
+
+  double lane(int i) const { return m_values[i]; }
+
+  [[gnu::always_inline]] friend inline Pack operator+(const Pack& a, const Pack& b)
+  {
+    return Pack(a.m_values + b.m_values);
+  }
+  [[gnu::always_inline]] friend inline Pack operator-(const Pack& a, const Pack& b)
+  {
+    return Pack(a.m_values - b.m_values);
+  }
+  [[gnu::always_inline]] friend inline Pack operator*(const Pack& a, const Pack& b)
+  {
+    return Pack(a.m_values * b.m_values);
+  }
+  [[gnu::always_inline]] friend inline Pack operator/(const Pack& a, const Pack& b)
+  {
+    return Pack(a.m_values / b.m_values);
+  }
+  [[gnu::always_inline]] friend inline Pack operator-(const Pack& a) { return Pack(-a.m_values); }
+  [[gnu::always_inline]] Pack& operator+=(const Pack& b)
+  {
+    m_values += b.m_values;
+    return *this;
+  }
+
+private:
+  explicit Pack(Vector values) : m_values(values) {}
+
+  Vector m_values;
+};
+
+} // namespace wide
+#else
+/// As above, in halves that fit the registers of every 64-bit processor.
 class Pack {
   using Half = double __attribute__((vector_size(16)));
 
@@ -54,6 +100,7 @@ private:
 
   Half m_low, m_high;
 };
+#endif
 
 /// A scalar, or a pack, of `value(lane)`.
 template <class S, class Value> [[gnu::always_inline]] inline S from_lanes(const Value& value)
