@@ -10,8 +10,8 @@
 namespace Quadrille {
 namespace internal {
 
-#ifdef __AVX__
-inline namespace wide { // code for other processors must not be mixed with this
+#if defined(__AVX__) || defined(QUADRILLE_AVX) // see QuadrilleExecutables.cmake
+inline namespace wide {                        // code for other processors must not be mixed with this
 
 /// Four numbers that are computed with at once, so that formulas written for a scalar type do four elements in the
 /// vector registers. It computes each number as `double` does. A vector type of GCC and Clang.
