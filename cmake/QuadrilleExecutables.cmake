@@ -16,21 +16,7 @@ target_compile_options(quadrille_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra -Wpedantic -Wconversion -Werror>
   $<$<CXX_COMPILER_ID:MSVC>:/W4>)
 
-# Energies of fields are evaluated for four triangles at a time, about 1.5 times as fast with these instructions. Results
-# are to be the same without them: so there are no fused multiply-adds, and Eigen, which would add up in another order,
-# must not notice. Programs that link packages decide by their own flags.
-set(QUADRILLE_HAS_AVX2 OFF)
-if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_CROSSCOMPILING)
-  include(CheckCXXSourceRuns)
-  check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") ? 0 : 1; }" QUADRILLE_MACHINE_HAS_AVX2)
-  set(QUADRILLE_HAS_AVX2 ${QUADRILLE_MACHINE_HAS_AVX2})
-endif()
-option(QUADRILLE_AVX2 "Build the program for processors with AVX2, as this machine has it" ${QUADRILLE_HAS_AVX2})
-
 add_library(quadrille_executable INTERFACE)
-if(QUADRILLE_AVX2)
-  target_compile_options(quadrille_executable INTERFACE -mavx2 -U__AVX__ -U__AVX2__ -DQUADRILLE_AVX)
-endif()
 target_link_libraries(quadrille_executable INTERFACE quadrille_warnings)
 foreach(package IN LISTS QUADRILLE_PACKAGES)
   target_link_libraries(quadrille_executable INTERFACE Quadrille::${package})
@@ -59,7 +45,26 @@ function(quadrille_add_precompiled_header name)
     <vector>)
 endfunction()
 
+# Energies of fields are evaluated for four triangles at a time, about 1.5 times as fast with these instructions. Results
+# are to be the same without them: so there are no fused multiply-adds, and Eigen, which would add up in another order,
+# must not notice. Programs that link packages decide by their own flags.
+set(QUADRILLE_HAS_AVX2 OFF)
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_CROSSCOMPILING)
+  include(CheckCXXSourceRuns)
+  check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") ? 0 : 1; }" QUADRILLE_MACHINE_HAS_AVX2)
+  set(QUADRILLE_HAS_AVX2 ${QUADRILLE_MACHINE_HAS_AVX2})
+endif()
+option(QUADRILLE_AVX2 "Build the program for processors with AVX2, as this machine has it" ${QUADRILLE_HAS_AVX2})
+
+# What executables are built for; tests are for all processors, so that both kinds of code are tried.
+function(quadrille_use_processor target)
+  if(QUADRILLE_AVX2)
+    target_compile_options(${target} PRIVATE -mavx2 -U__AVX__ -U__AVX2__ -DQUADRILLE_AVX)
+  endif()
+endfunction()
+
 quadrille_add_precompiled_header(quadrille_precompiled)
+quadrille_use_processor(quadrille_precompiled)
 
 # quadrille_add_executable(<name> SOURCES <file>... [LIBRARIES <target>...] [PRECOMPILED <target>])
 #
@@ -72,6 +77,9 @@ function(quadrille_add_executable name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE quadrille_executable ${arg_LIBRARIES})
   target_precompile_headers(${name} REUSE_FROM ${arg_PRECOMPILED})
+  if(arg_PRECOMPILED STREQUAL quadrille_precompiled)
+    quadrille_use_processor(${name})
+  endif()
   target_compile_definitions(${name} PRIVATE
     QUADRILLE_VERSION="${PROJECT_VERSION}"
     QUADRILLE_EXAMPLE_DATA="${PROJECT_SOURCE_DIR}/examples/data"
