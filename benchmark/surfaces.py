@@ -10,8 +10,8 @@ them, with the program's defaults.
 
 "terms" are the energies of the chosen field: curl, odeco, sizes, angles. --lbfgs runs the reference solver, too, and
 prints the ratio of the fields' times. "index sum" is compared with the Euler characteristic, counted here from the
-numbers of vertices, edges and faces of meshes. Other arguments are handed on to the program. Exit code 1 if a run failed
-that should not have, or an index sum is wrong.
+numbers of vertices, edges and faces of meshes. Exit code 1 if a run failed that should not have, or an index sum is
+wrong.
 """
 
 import argparse
@@ -19,6 +19,7 @@ import collections
 import json
 import math
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -144,8 +145,9 @@ def main():
     parser.add_argument("--only", default="", help="runs only models with this in their names")
     parser.add_argument("--lbfgs", action="store_true", help="the reference solver beside ours")
     parser.add_argument("--seconds", type=float, default=3600, help="limit of one run")
+    parser.add_argument("--arguments", default="", help='more arguments of the program, as in --arguments="--starts 1"')
     parser.add_argument("files", nargs="*", metavar="FILE")
-    arguments, extra = parser.parse_known_args()
+    arguments = parser.parse_args()
 
     print_row(["model", "triangles", "index sum", "singularities", "terms", "error", "flipped", "size error", "field s",
                "run s", "GB", "paper s"])
@@ -154,7 +156,7 @@ def main():
     for model in models_of(arguments, parser):
         if arguments.only not in model.name:
             continue
-        command = [arguments.program, "quad", model.file] + model.arguments + extra
+        command = [arguments.program, "quad", model.file] + model.arguments + shlex.split(arguments.arguments)
         code, summary, *rest = run(command, arguments.seconds)
         print_row(row_of(model, code, summary, *rest))
         field = summary.get("field", {})
