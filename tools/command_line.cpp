@@ -69,6 +69,9 @@ po::options_description quad_options()
   options.add_options()("unaligned", po::value<Strings>()->value_name("NAME"),
                         "a physical group or curve tag inside that elements need not follow, repeatable; sizes "
                         "prescribed there still hold");
+  options.add_options()("weak", po::value<Strings>()->value_name("NAME"),
+                        "on surfaces: a physical group or curve tag inside whose direction and sizes are weighed "
+                        "against integrability instead of imposed, repeatable");
   options.add_options()(
       "size-field", po::value<Strings>()->value_name("F"),
       "sizes wanted inside: a Gmsh view of sizes or metrics (.pos .msh), or lines 'x y size [radius]' "
@@ -228,6 +231,7 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   result.json = options.one("json");
   result.sizes = options.all("size");
   result.unaligned = options.all("unaligned");
+  result.weak = options.all("weak");
   result.size_field = options.one("size-field");
   result.size_field_weight = options.number("size-field-weight", result.size_field_weight, 0.0);
   result.impose_size_field = options.has("impose-size-field");

@@ -26,6 +26,7 @@ struct Quad_arguments {
   std::vector<std::string> sizes;
   double triangle_size = 0;           ///< 0: chosen from the domain
   std::vector<std::string> unaligned; ///< names of curves that elements need not follow
+  std::vector<std::string> weak;      ///< names of curves that elements of surfaces follow weakly
   std::string size_field;             ///< file with sizes inside; empty: none
   double size_field_weight = Odeco_field_options().target_size_weight;
   bool impose_size_field = false;

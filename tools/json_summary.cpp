@@ -188,7 +188,8 @@ void add_stages(const Surface_pipeline_result& result, Field_solver_kind solver,
     json["energy_terms"] = {{"curl", field.terms.curl},
                             {"odeco", field.terms.odeco},
                             {"sizes", field.terms.sizes},
-                            {"angles", field.terms.angles}};
+                            {"angles", field.terms.angles},
+                            {"weak", field.terms.weak}};
     std::map<int, int> counts;
     for (const auto& [vertex, valence] : result.singular_vertices)
       ++counts[valence];

@@ -40,8 +40,9 @@ public:
 private:
   void prepare() override
   {
-    for (const auto& [option, is_given] : {std::pair("--preset", m_arguments.preset.has_value()),
-                                           std::pair("--crease-angle", m_arguments.crease_angle.has_value())})
+    for (const auto& [option, is_given] :
+         {std::pair("--weak", !m_arguments.weak.empty()), std::pair("--preset", m_arguments.preset.has_value()),
+          std::pair("--crease-angle", m_arguments.crease_angle.has_value())})
       if (is_given)
         throw Invalid_argument_error(std::string("option ") + option + " is for surfaces, and " + m_arguments.input +
                                      " is a planar domain");

@@ -68,6 +68,7 @@ private:
     if (!m_arguments.size_field.empty())
       m_target_size = read_size_field(m_arguments.size_field, m_domain);
     remove_unaligned_curves(m_domain, m_arguments.unaligned);
+    m_is_weak = remove_weak_curves(m_domain, m_arguments.weak);
     std::ostringstream line;
     line << m_arguments.input << ": a surface of " << m_domain.mesh.number_of_faces() << " triangles, "
          << m_domain.curves.size() << " curves";
@@ -95,7 +96,7 @@ private:
     options.field.seed = m_arguments.seed;
     options.field.threads = m_arguments.threads;
     options.field.observer = &m_console.observer();
-    run_surface_pipeline(m_domain, constraints_of(m_domain, m_sizes), options, m_result);
+    run_surface_pipeline(m_domain, constraints_of(m_domain, m_sizes, m_is_weak), options, m_result);
     m_result.size_error = measure_map_sizes(m_domain, m_sizes, m_result.corner_uv);
   }
 
@@ -161,6 +162,7 @@ private:
   Domain_sizes m_sizes;
   double m_typical_size = 0;
   std::vector<double> m_target_size;
+  std::vector<char> m_is_weak; ///< edges
   Surface_pipeline_result m_result;
 };
 

@@ -314,6 +314,11 @@ TEST(Odeco_frame_field, rejects_what_it_cannot_use)
                                  boost::make_iterator_property_map(none.begin(), boost::identity_property_map()),
                                  boost::make_iterator_property_map(gradients.begin(), boost::identity_property_map())),
                Invalid_input_error);
+  std::vector<Edge_frame_constraint> weak(mesh.number_of_edges(), {true, true, 1, 1, true});
+  EXPECT_THROW(odeco_frame_field(mesh, mesh.points(),
+                                 boost::make_iterator_property_map(weak.begin(), boost::identity_property_map()),
+                                 boost::make_iterator_property_map(gradients.begin(), boost::identity_property_map())),
+               Invalid_argument_error);
 }
 
 } // namespace

@@ -250,6 +250,48 @@ TEST(Odeco_surface_field, does_not_depend_on_the_order_of_vertices_and_faces)
   }
 }
 
+/// A square in a plane, its border strongly aligned and of size 0.1, and its middle line weakly, with a size of its
+/// own.
+Field square_with_weak_line(double size, double weight)
+{
+  const Space_triangles square = space_grid(16, 16, [](double s, double t) { return Eigen::Vector3d(s, 0, t); });
+  const Space_mesh mesh = square.surface_mesh();
+  std::vector<Edge_frame_constraint> constraints(mesh.number_of_edges());
+  for (const auto e : mesh.edges()) {
+    const Eigen::Vector3d &p = square.points[mesh.vertex(e, 0)], &q = square.points[mesh.vertex(e, 1)];
+    if (mesh.is_border(e))
+      constraints[e] = {true, true, 0.1, 0.1};
+    else if (p.x() == 0.5 && q.x() == 0.5)
+      constraints[e] = {true, true, size, size, true};
+  }
+  const auto map = [](auto& values) {
+    return boost::make_iterator_property_map(values.begin(), boost::identity_property_map());
+  };
+  Field field;
+  field.gradients.resize(mesh.number_of_faces());
+  Surface_field_options options = quick(0);
+  options.weak_weight = weight;
+  field.result = odeco_surface_field(mesh, mesh.points(), map(constraints), map(field.gradients), options);
+  return field;
+}
+
+TEST(Odeco_surface_field, weak_constraints_are_met_as_far_as_nothing_is_against_them)
+{
+  // Where they agree with the rest they cost nothing, and change nothing.
+  for (const auto& [u, v] : square_with_weak_line(0.1, 10).gradients) {
+    EXPECT_NEAR(u.norm(), 10, 1e-6);
+    EXPECT_NEAR(v.norm(), 10, 1e-6);
+  }
+  // Where they do not, they are met the better the larger their weight is.
+  double last = HUGE_VAL;
+  for (const double weight : {1., 10., 100.}) {
+    const double energy = square_with_weak_line(0.08, weight).result.terms.weak / weight;
+    EXPECT_LT(energy, 0.8 * last);
+    EXPECT_GT(energy, 0);
+    last = energy;
+  }
+}
+
 TEST(Odeco_surface_field, components_have_their_own_fields)
 {
   const Field field = surface_field(united(torus(16, 8, 2, 1), moved(cube(3), some_rotation, 0.5, {9, 0, 0})), quick(0),

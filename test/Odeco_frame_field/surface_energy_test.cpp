@@ -5,12 +5,14 @@
 
 #include <Quadrille/Odeco_frame_field/internal/Field_energy.h>
 #include <Quadrille/Odeco_frame_field/internal/Surface_energy.h>
+#include <Quadrille/Odeco_frame_field/internal/surface_restrictions.h>
 #include <Quadrille/check_jacobian.h>
 #include <Quadrille/odeco_tensors_3.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <random>
 
 namespace {
@@ -111,6 +113,19 @@ template <class Term, int N> void expect_right_derivatives(const Term& energy, c
   }
 }
 
+/// Of the first two of four nodes: a direction with one size, and a size alone.
+template <int N> std::vector<Weak_target<N>> some_weak_targets()
+{
+  Surface_constraints constraints;
+  constraints.weak_of_node.resize(4);
+  constraints.weak_of_node[0].alignment = std::polar(1.0, 0.7);
+  constraints.weak_of_node[0].n_aligned = 1;
+  constraints.weak_of_node[0].size[0].add(1.3);
+  constraints.weak_of_node[1].size[0].add(0.8);
+  constraints.weak_length = {2, 1, 0, 0};
+  return weak_targets<N>(constraints);
+}
+
 Melt_and_freeze_schedule attracting_schedule()
 {
   Melt_and_freeze_schedule schedule;
@@ -124,11 +139,12 @@ template <int N> void expect_right_derivatives_of_all()
   const Saddle saddle;
   for (const bool restricted : {true, false})
     for (const Normal_value normal_value : {Normal_value::mean, Normal_value::one}) {
-      const Surface_elements<N> elements = saddle.elements<N>(
+      Surface_elements<N> elements = saddle.elements<N>(
           normal_value, restricted ? restrictions_of_each_kind<N>() : std::vector<Vertex_restriction<N>>(4));
+      elements.set_weak_targets(some_weak_targets<N>());
       for (const bool as_in_paper : {true, false})
         for (const double weight : {0.0, 0.7}) {
-          Surface_energy<N> energy(elements, {as_in_paper, 1.5, weight, 0.6 * weight, 0.8 * weight});
+          Surface_energy<N> energy(elements, {as_in_paper, 1.5, weight, 0.6 * weight, 0.8 * weight, 0.9 * weight});
           expect_right_derivatives(energy, elements);
           energy.attract(attracting_schedule());
           expect_right_derivatives(energy, elements);
@@ -283,6 +299,46 @@ TEST(Surface_energy, curl_is_that_of_the_definition)
   for (const Normal_value normal_value : {Normal_value::mean, Normal_value::one}) {
     expect_right_curl<3>(normal_value);
     expect_right_curl<5>(normal_value);
+  }
+}
+
+TEST(Surface_energy, weak_constraints_measure_the_distance_from_what_they_allow)
+{
+  const Saddle saddle;
+  for (const Normal_value normal_value : {Normal_value::mean, Normal_value::one}) {
+    Surface_elements<5> elements = saddle.elements<5>(normal_value);
+    elements.set_weak_targets(some_weak_targets<5>());
+    const double weight = 3;
+    const Surface_energy<5> energy(elements, {false, 1.5, 0, 0, 0, weight});
+    double sum = 0;
+    Eigen::VectorXd x = 0.2 * Random(4).vector<20>();
+    for (int v = 0; v < 4; ++v)
+      x[5 * v] += 3;
+    for (std::size_t e = 0; e < elements.number_of_elements(); ++e) {
+      typename Surface_energy<5>::Unknowns local;
+      std::array<int, 15> index;
+      energy.element_unknowns(e, index);
+      for (int i = 0; i < 15; ++i)
+        local[i] = x[index[std::size_t(i)]];
+      typename Surface_energy<5>::Residuals rows;
+      ASSERT_TRUE(energy.evaluate(e, local, rows, nullptr));
+      sum += rows.tail<15>().squaredNorm();
+    }
+    // Node 0, a frame turned by 0.7 / 4 with the length 1.3 along: the nearest one has some length across.
+    const auto power = [](double u, double v) {
+      Orthogonal_frame_2 frame;
+      frame.direction = {std::cos(0.175), std::sin(0.175)};
+      frame.size_u = u;
+      frame.size_v = v;
+      return Eigen::Matrix<double, 5, 1>(Tensor_coefficients<5>::from_harmonics(odeco_harmonics(frame)));
+    };
+    const Eigen::Matrix<double, 5, 1> rest = x.head<5>() - power(1.3, 0), across = power(0, 1);
+    const double first = (rest - across.dot(rest) / across.squaredNorm() * across).squaredNorm();
+    // Node 1, of any direction: the coefficients of degrees 0 and 2 are given.
+    Eigen::Vector3d low = x.segment<3>(5);
+    low[0] -= power(0.8, 0.8)[0];
+    const double expected = weight * (2. / 3 * first * std::exp(-0.2) + 1. / 3 * low.squaredNorm() * std::exp(0.4));
+    EXPECT_NEAR(sum, expected, 1e-12 * expected);
   }
 }
 

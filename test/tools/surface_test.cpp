@@ -103,6 +103,21 @@ TEST_F(Surface, cube_is_a_grid)
   EXPECT_LT(all["map"]["size_error"]["max"], 1e-6);
 }
 
+TEST_F(Surface, curves_can_be_followed_weakly)
+{
+  const std::string cube = write("cube.off", cube_in_off(8, false));
+  ASSERT_EQ(run({"quad", cube, "--size", "0.25", "--size", "1=0.2", "--weak", "1", "--starts", "1", "--json",
+                 path("summary.json")}),
+            0)
+      << m_error;
+  Json all = summary();
+  EXPECT_EQ(all["field"]["index_sum"], 2.0);
+  EXPECT_GT(all["field"]["energy_terms"]["weak"],
+            1e-6); // twelve curves cannot have these sizes and angles of 90 degrees
+  EXPECT_EQ(run({"quad", cube, "--weak", "no_such_curve", "--json", path("summary.json")}), 2);
+  EXPECT_NE(m_error.find("--weak"), std::string::npos) << m_error;
+}
+
 TEST_F(Surface, geometry_with_a_size_transition_gets_pairs_of_singularities)
 {
   ASSERT_EQ(run({"quad", QUADRILLE_EXAMPLE_DATA "/box_transition.geo", "--size", "rest=0.4", "--size", "small=0.2",

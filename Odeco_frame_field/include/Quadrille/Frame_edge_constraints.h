@@ -26,6 +26,9 @@ struct Edge_frame_constraint {
   /// Element sizes at the source and the target of `halfedge(e, mesh)`, for `e` as it stands in `edges(mesh)`, in the
   /// mesh's unit. Where the edge is not aligned, or the field isotropic, those across and along must not differ.
   Frame_size source_size, target_size;
+  /// On surfaces: imposed weakly, as a term of the energy (`Surface_field_options::weak_weight`). The edge does not
+  /// part the surface then. Not in the plane.
+  bool is_weak = false;
 };
 
 /// The pair of gradients (du, dv) that a map should have on a face; sizes of elements are 1 / |du|, 1 / |dv|.
@@ -54,11 +57,13 @@ std::vector<Constrained_halfedge> constrained_halfedges(const Mesh_index<Triangl
       continue;
     const auto place = halfedge_index.find(halfedge(*e, mesh));
     if (place != halfedge_index.end())
-      constrained.push_back({place->second, constraint.aligned, {constraint.source_size, constraint.target_size}});
+      constrained.push_back(
+          {place->second, constraint.aligned, {constraint.source_size, constraint.target_size}, constraint.is_weak});
     else
       constrained.push_back({halfedge_index.at(opposite(halfedge(*e, mesh), mesh)),
                              constraint.aligned,
-                             {constraint.target_size, constraint.source_size}});
+                             {constraint.target_size, constraint.source_size},
+                             constraint.is_weak});
   }
   return constrained;
 }

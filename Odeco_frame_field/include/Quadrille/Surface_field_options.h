@@ -41,6 +41,9 @@ struct Surface_field_options : Field_run_options {
   /// is wanted; empty: nowhere. Sizes on constrained edges take precedence.
   std::vector<double> target_size;
   double target_size_weight = 10; ///< of half the mean of log(size / target)^2 where there is a target
+  /// Of half the mean along weakly constrained edges of (|q - q'| / l)^2, q being the tensor's coefficients, q' the
+  /// nearest ones that the constraint allows, and l the length of gradients that is expected there.
+  double weak_weight = 10;
   /// The size that elements have on average where nothing says otherwise; 0: about 1,000 of them cover the surface.
   double typical_size = 0;
 };
@@ -51,6 +54,7 @@ struct Surface_energy_terms {
   double odeco = 0;  ///< eq. (52), times its weight
   double sizes = 0;  ///< eq. (53) and attractions to target sizes, times their weights
   double angles = 0; ///< eq. (54), times its weight
+  double weak = 0;   ///< weak constraints, times their weight
 };
 
 /// The chosen field, and how it came about.

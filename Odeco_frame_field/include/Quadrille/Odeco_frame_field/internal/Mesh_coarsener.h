@@ -53,14 +53,15 @@ public:
     m_n_triangles = m_triangles.size();
     std::vector<char> is_curve(std::size_t(mesh.mesh.number_of_halfedges()), 0);
     for (const Constrained_halfedge& edge : mesh.edges) {
-      add_curve_edge(mesh.mesh.source(edge.halfedge), mesh.mesh.target(edge.halfedge), true, edge.aligned, edge.size);
+      add_curve_edge(mesh.mesh.source(edge.halfedge), mesh.mesh.target(edge.halfedge), true, edge.aligned, edge.is_weak,
+                     edge.size);
       is_curve[std::size_t(edge.halfedge)] = 1;
       if (const int other = mesh.mesh.opposite(edge.halfedge); other >= 0)
         is_curve[std::size_t(other)] = 1;
     }
     for (int h = 0; h < mesh.mesh.number_of_halfedges(); ++h)
       if (mesh.mesh.is_boundary(h) && !is_curve[std::size_t(h)])
-        add_curve_edge(mesh.mesh.source(h), mesh.mesh.target(h), false, false, {});
+        add_curve_edge(mesh.mesh.source(h), mesh.mesh.target(h), false, false, false, {});
   }
 
   /// Collapses edges until at most `n_triangles` are left, or none can be collapsed any more.
@@ -112,7 +113,7 @@ public:
                 w = fine_vertex[std::size_t(result.mesh.target(h))];
       const Curve_end* end = result.mesh.opposite(h) > h ? nullptr : find_curve_end(v, w);
       if (end && end->constrained)
-        result.edges.push_back({h, end->aligned, {end->size, find_curve_end(w, v)->size}});
+        result.edges.push_back({h, end->aligned, {end->size, find_curve_end(w, v)->size}, end->is_weak});
     }
     for (std::size_t v = 0; v < m_points.size(); ++v) {
       int survivor = int(v);
@@ -129,14 +130,14 @@ private:
   /// An edge of a curve, seen from one of its ends.
   struct Curve_end {
     int other;
-    bool constrained, aligned; ///< of the edge
-    Frame_size size;           ///< here
+    bool constrained, aligned, is_weak; ///< of the edge
+    Frame_size size;                    ///< here
   };
 
-  void add_curve_edge(int v, int w, bool constrained, bool aligned, const std::array<Frame_size, 2>& size)
+  void add_curve_edge(int v, int w, bool constrained, bool aligned, bool is_weak, const std::array<Frame_size, 2>& size)
   {
-    m_curves_of[std::size_t(v)].push_back({w, constrained, aligned, size[0]});
-    m_curves_of[std::size_t(w)].push_back({v, constrained, aligned, size[1]});
+    m_curves_of[std::size_t(v)].push_back({w, constrained, aligned, is_weak, size[0]});
+    m_curves_of[std::size_t(w)].push_back({v, constrained, aligned, is_weak, size[1]});
   }
 
   const Curve_end* find_curve_end(int v, int w) const

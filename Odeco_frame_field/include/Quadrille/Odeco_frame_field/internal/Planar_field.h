@@ -30,6 +30,10 @@ inline void check_field_arguments(const std::vector<Constrained_halfedge>& edges
   if (edges.empty())
     throw Invalid_input_error("no edge is constrained, so any constant field would do; align the frames with the "
                               "boundary at least");
+  if (std::any_of(edges.begin(), edges.end(), [](const Constrained_halfedge& edge) { return edge.is_weak; }))
+    throw Invalid_argument_error(
+        "an edge is constrained weakly, which is for surfaces only; give target sizes or metrics "
+        "instead");
   check_prescribed_sizes(edges, options.isotropic);
   check_target_sizes(options.target_size, options.target_size_weight);
   for (const Eigen::Matrix2d& metric : options.target_metric)

@@ -28,6 +28,13 @@ struct Surface_nodes {
   std::vector<Eigen::Matrix3d> axes;       ///< per node: columns span the tangent plane, and the normal
 };
 
+/// What a node's coefficients q should be, weakly: projector q = offset.
+template <int N> struct Weak_target {
+  Eigen::Matrix<double, N, N> projector = Eigen::Matrix<double, N, N>::Zero();
+  Eigen::Matrix<double, N, 1> offset = Eigen::Matrix<double, N, 1>::Zero();
+  double share = 0; ///< of all weakly constrained edges, by length
+};
+
 /// The axes in which a triangle is computed: its first edge, across, its normal.
 inline Eigen::Matrix3d triangle_axes(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r)
 {
@@ -105,6 +112,19 @@ public:
   /// Of the part where there are targets.
   double target_area() const { return m_target_area; }
 
+  /// Per node, or none.
+  void set_weak_targets(std::vector<Weak_target<N>> targets)
+  {
+    std::vector<int> n_corners(number_of_nodes(), 0);
+    for (const Element& element : m_elements)
+      for (const int v : element.node)
+        ++n_corners[std::size_t(v)];
+    for (std::size_t v = 0; v < targets.size(); ++v)
+      targets[v].share /= std::max(1, n_corners[v]); // of every triangle
+    m_weak_targets = std::move(targets);
+  }
+  bool has_weak_targets() const { return !m_weak_targets.empty(); }
+
   Normal_value normal_value() const { return m_normal_value; }
 
   int element_unknowns(std::size_t e, std::array<int, std::size_t(max_unknowns)>& index) const
@@ -153,6 +173,19 @@ public:
       values.expected_log_value[k] = from_lanes<S>([&](int lane) { return expected_log_value(node(lane, k)); });
       values.target_weight[k] = from_lanes<S>([&](int lane) { return target_weight(node(lane, k)); });
     }
+    values.is_weakly_constrained = false;
+    for (int lane = 0; lane < lanes && has_weak_targets(); ++lane)
+      for (int k = 0; k < 3; ++k)
+        values.is_weakly_constrained = values.is_weakly_constrained || m_weak_targets[node(lane, k)].share > 0;
+    for (int k = 0; k < 3 && values.is_weakly_constrained; ++k) {
+      const auto target = [&](int lane) -> const Weak_target<N>& { return m_weak_targets[node(lane, k)]; };
+      values.weak_share[k] = from_lanes<S>([&](int lane) { return target(lane).share; });
+      for (int i = 0; i < N; ++i) {
+        values.weak_offset[k][i] = from_lanes<S>([&](int lane) { return target(lane).offset[i]; });
+        for (int j = 0; j < N; ++j)
+          values.weak_projector[k][i][j] = from_lanes<S>([&](int lane) { return target(lane).projector(i, j); });
+      }
+    }
     values.area = from_lanes<S>([&](int lane) { return element[lane]->area; });
     values.root_area = square_root(values.area);
     values.size = from_lanes<S>([&](int lane) { return element[lane]->size; });
@@ -165,6 +198,7 @@ private:
   Surface_nodes m_nodes;
   Restricted_unknowns<N> m_unknowns;
   std::vector<double> m_expected_log_values, m_target_weights;
+  std::vector<Weak_target<N>> m_weak_targets; ///< shares of every triangle
   double m_total_area = 0, m_target_area = 0;
 };
 

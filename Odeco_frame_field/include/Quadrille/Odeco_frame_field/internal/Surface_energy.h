@@ -23,6 +23,7 @@ struct Surface_weights {
   double area = 0;   ///< of log(A0 det M)^2
   double angle = 0;  ///< of the distance from isotropy
   double target = 0; ///< of log(size / target)^2, half its mean where there are targets
+  double weak = 0;   ///< of half the mean along weakly constrained edges of the squared distance from what they ask for
 };
 
 /// What a tensor's coefficient j in spherical harmonics is of its entries, times a factor.
@@ -36,22 +37,23 @@ template <class S> Space_tensor<S> harmonic_row(int j, const S& factor)
 }
 
 /// The rows of a `Surface_energy` in their order.
-struct Surface_energy_rows {
+template <int N> struct Surface_energy_rows {
   static constexpr int points = 3;
   static constexpr int first_odeco = 3 * points, first_size = first_odeco + odeco_quadrics_count * points,
                        first_angle = first_size + points, first_smooth = first_angle + 2 * points,
-                       count = first_smooth + 2 * 15;
+                       first_weak = first_smooth + 2 * 15, count = first_weak + 3 * N;
 };
 
 /// The energies of a field on a surface, with three-point quadrature. Half the squared norm of the residuals is the
 /// energy.
 template <int N>
-class Surface_energy : public Triangle_energy<Surface_energy<N>, Surface_elements<N>, Surface_energy_rows::count> {
+class Surface_energy : public Triangle_energy<Surface_energy<N>, Surface_elements<N>, Surface_energy_rows<N>::count> {
   using Pieces = Surface_residuals<N>;
-  using Base = Triangle_energy<Surface_energy<N>, Surface_elements<N>, Surface_energy_rows::count>;
+  using Base = Triangle_energy<Surface_energy<N>, Surface_elements<N>, Surface_energy_rows<N>::count>;
 
 public:
-  static constexpr int first_odeco = Surface_energy_rows::first_odeco, first_size = Surface_energy_rows::first_size;
+  static constexpr int first_odeco = Surface_energy_rows<N>::first_odeco,
+                       first_size = Surface_energy_rows<N>::first_size;
 
   Surface_energy(const Surface_elements<N>& elements, const Surface_weights& weights)
       : Base(elements), m_weights(weights)
@@ -87,6 +89,7 @@ public:
     add_area(triangle, at, rows);
     add_angle(triangle, at, rows);
     add_smoothness(triangle, rows);
+    add_weak_constraints(triangle, rows);
     return true;
   }
 
@@ -176,6 +179,40 @@ private:
         if constexpr (Rows::with_derivatives)
           rows.add_with_slope(value, Field_residuals<N>::centroid_weights,
                               scaled(-0.5 * value, center.log_area_derivatives()), a, row);
+        else
+          rows.add(value);
+      }
+    }
+  }
+
+  /// At the corners. The coefficients are products with dual tensors; those that belong to different coefficients are
+  /// orthogonal.
+  template <class S, class Rows>
+  [[gnu::noinline]] void add_weak_constraints(const Surface_triangle<S, N>& triangle, Rows& rows) const
+  {
+    if (m_weights.weak == 0 || !triangle.is_weakly_constrained) {
+      rows.template skip<3 * N>();
+      return;
+    }
+    for (int k = 0; k < 3; ++k) {
+      Tuple<Space_tensor<S>, N> dual;
+      for (int i = 0; i < N; ++i) {
+        const Space_tensor<S>& basis = triangle.aligned[k].basis[i];
+        for (int e = 0; e < 15; ++e)
+          dual[i][e] = space_multiplicity[e] * basis[e];
+        dual[i] = scaled(1 / dot(dual[i], basis), dual[i]);
+      }
+      const S factor =
+          square_root(m_weights.weak * triangle.weak_share[k]) / exponential(triangle.expected_log_value[k]);
+      const double corner[3] = {k == 0 ? 1. : 0., k == 1 ? 1. : 0., k == 2 ? 1. : 0.};
+      for (int i = 0; i < N; ++i) {
+        Space_tensor<S> row = scaled(triangle.weak_projector[k][i][0], dual[0]);
+        for (int j = 1; j < N; ++j)
+          add_scaled(row, triangle.weak_projector[k][i][j], dual[j]);
+        row = scaled(factor, row);
+        const S value = dot(row, triangle.tensor[k]) - factor * triangle.weak_offset[k][i];
+        if constexpr (Rows::with_derivatives)
+          rows.add(value, corner, row);
         else
           rows.add(value);
       }

@@ -54,6 +54,7 @@ public:
     weights.area = m_options.weights.area;
     weights.angle = m_options.weights.angle;
     weights.target = m_options.target_size_weight;
+    weights.weak = m_options.weak_weight;
     if (weights.as_in_paper) {
       weights.odeco = m_options.weights.odeco;
     } else {
@@ -229,7 +230,7 @@ inline Surface_field_result solve_surface_field(const Indexed_triangulation& mes
                                  std::to_string(points.size()) + " vertices");
   if (!(options.typical_size >= 0) || !std::isfinite(options.typical_size))
     throw Invalid_argument_error("the typical size must be positive and finite (0 lets it be chosen)");
-  for (const double weight : {options.weights.odeco, options.weights.area, options.weights.angle})
+  for (const double weight : {options.weights.odeco, options.weights.area, options.weights.angle, options.weak_weight})
     if (!(weight >= 0) || !std::isfinite(weight))
       throw Invalid_argument_error("the weights of energies must not be negative");
   check_surface(mesh, points);

@@ -43,6 +43,11 @@ inline std::vector<double> expected_log_values(const Surface_problem& problem)
   for (std::size_t v = 0; v < nodes.vertex.size(); ++v)
     if (problem.constraints.of_node[v].has_size())
       known[std::size_t(nodes.vertex[v])] = std::log(problem.constraints.of_node[v].mean_size());
+  for (std::size_t v = 0; v < problem.constraints.weak_of_node.size(); ++v) {
+    auto& value = known[std::size_t(nodes.vertex[v])];
+    if (!value && problem.constraints.weak_of_node[v].has_size())
+      value = std::log(problem.constraints.weak_of_node[v].mean_size());
+  }
   for (std::size_t v = 0; v < problem.target_size.size(); ++v)
     if (problem.target_size[v] > 0 && !known[v])
       known[v] = -std::log(problem.target_size[v]);
@@ -64,9 +69,11 @@ Surface_elements<N> make_surface_elements(const Surface_problem& problem, Restri
   if (!problem.target_size.empty())
     for (const int v : nodes.vertex)
       target_weights.push_back(problem.target_size[std::size_t(v)] > 0 ? 1 : 0);
-  return Surface_elements<N>(nodes, problem.surface.mesh, problem.surface.points,
-                             local_triangle_sizes(problem.surface.mesh, problem.surface.points), std::move(unknowns),
-                             expected_log_values(problem), std::move(target_weights), normal_value);
+  Surface_elements<N> elements(nodes, problem.surface.mesh, problem.surface.points,
+                               local_triangle_sizes(problem.surface.mesh, problem.surface.points), std::move(unknowns),
+                               expected_log_values(problem), std::move(target_weights), normal_value);
+  elements.set_weak_targets(weak_targets<N>(problem.constraints));
+  return elements;
 }
 
 /// Minimises the energies of one field on a surface.
@@ -112,10 +119,10 @@ public:
 
   Surface_energy_terms energy_terms(const Eigen::VectorXd& x) const
   {
-    using Rows = Surface_energy_rows;
-    const auto energies = this->template energy_by_rows<4>(
-        x, {Rows::first_odeco, Rows::first_size, Rows::first_angle, Rows::first_smooth});
-    return {energies[0], energies[1], energies[2], energies[3]};
+    using Rows = Surface_energy_rows<N>;
+    const auto energies = this->template energy_by_rows<6>(
+        x, {Rows::first_odeco, Rows::first_size, Rows::first_angle, Rows::first_smooth, Rows::first_weak, Rows::count});
+    return {energies[0], energies[1], energies[2], energies[3], energies[5]};
   }
 
 private:

@@ -85,6 +85,10 @@ template <class S, int N> struct Surface_triangle {
   S area, root_area;
   S size; ///< local triangle size, the unit of epsilon
   Tuple<S, 3> expected_log_value, target_weight;
+  bool is_weakly_constrained; ///< some corner; see `Weak_target` for what follows, undefined otherwise
+  Tuple<S, 3> weak_share;
+  Tuple<Tuple<S, N>, 3> weak_offset;
+  Tuple<Tuple<Tuple<S, N>, N>, 3> weak_projector;
 
   Space_tensor<S> mean(const double (&weight)[3]) const
   {

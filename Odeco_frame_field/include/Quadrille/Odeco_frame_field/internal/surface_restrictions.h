@@ -27,6 +27,9 @@ struct Surface_constraints {
   /// same length, so vectors come in classes with one length each; here every vector's class.
   std::vector<int> class_of;
   std::vector<Vertex_constraint::Vector_size> of_class;
+  /// What weakly constrained edges ask for, and half the length of those around the node; empty if there are none.
+  std::vector<Vertex_constraint> weak_of_node;
+  std::vector<double> weak_length;
 };
 
 /// Splits vertices between feature curves, and collects what the curves ask for.
@@ -37,7 +40,7 @@ public:
       : m_mesh(mesh), m_points(points), m_edges(edges), m_is_feature(std::size_t(mesh.number_of_halfedges()), 0)
   {
     for (const Constrained_halfedge& edge : edges)
-      if (edge.aligned) {
+      if (edge.aligned && !edge.is_weak) {
         m_is_feature[std::size_t(edge.halfedge)] = 1;
         if (const int other = mesh.opposite(edge.halfedge); other >= 0)
           m_is_feature[std::size_t(other)] = 1;
@@ -50,27 +53,43 @@ public:
     m_result.of_node.resize(m_result.nodes.vertex.size());
     m_result.class_of.resize(2 * m_result.of_node.size());
     std::iota(m_result.class_of.begin(), m_result.class_of.end(), 0);
-    for (const Constrained_halfedge& edge : m_edges)
-      if (edge.aligned)
-        for_each_side(edge, [this](int node, int halfedge, std::size_t) {
-          const std::complex<double> square = squared_direction(node, halfedge);
-          m_result.of_node[std::size_t(node)].alignment += square * square;
-          ++m_result.of_node[std::size_t(node)].n_aligned;
-        });
-    for (const Constrained_halfedge& edge : m_edges)
-      for_each_side(edge, [&](int node, int halfedge, std::size_t end) {
-        Vertex_constraint& constraint = m_result.of_node[std::size_t(node)];
-        const std::size_t along = edge.aligned ? vector_along(node, halfedge) : 0;
-        if (edge.size[end].tangential > 0)
-          constraint.size[along].add(1 / edge.size[end].tangential);
-        if (edge.size[end].normal > 0)
-          constraint.size[1 - along].add(1 / edge.size[end].normal);
-      });
+    collect_constraints(false, m_result.of_node);
+    if (std::any_of(m_edges.begin(), m_edges.end(), [](const Constrained_halfedge& edge) { return edge.is_weak; })) {
+      m_result.weak_of_node.resize(m_result.of_node.size());
+      m_result.weak_length.resize(m_result.of_node.size(), 0);
+      collect_constraints(true, m_result.weak_of_node);
+      for (const Constrained_halfedge& edge : m_edges)
+        if (edge.is_weak)
+          for_each_side(edge, [this](int node, int halfedge, std::size_t) {
+            m_result.weak_length[std::size_t(node)] += 0.5 * edge_vector(halfedge).norm();
+          });
+    }
     join_vectors();
     return std::move(m_result);
   }
 
 private:
+  void collect_constraints(bool weak, std::vector<Vertex_constraint>& of_node) const
+  {
+    for (const Constrained_halfedge& edge : m_edges)
+      if (edge.aligned && edge.is_weak == weak)
+        for_each_side(edge, [&](int node, int halfedge, std::size_t) {
+          const std::complex<double> square = squared_direction(node, halfedge);
+          of_node[std::size_t(node)].alignment += square * square;
+          ++of_node[std::size_t(node)].n_aligned;
+        });
+    for (const Constrained_halfedge& edge : m_edges)
+      if (edge.is_weak == weak)
+        for_each_side(edge, [&](int node, int halfedge, std::size_t end) {
+          Vertex_constraint& constraint = of_node[std::size_t(node)];
+          const std::size_t along = edge.aligned ? vector_along(constraint, node, halfedge) : 0;
+          if (edge.size[end].tangential > 0)
+            constraint.size[along].add(1 / edge.size[end].tangential);
+          if (edge.size[end].normal > 0)
+            constraint.size[1 - along].add(1 / edge.size[end].normal);
+        });
+  }
+
   /// One node for every fan of triangles around a vertex between features.
   void make_nodes()
   {
@@ -145,7 +164,7 @@ private:
       const int at_source = corner_node(h), at_target = corner_node(Indexed_triangulation::next(h));
       visit(at_source, h, source_end);
       visit(at_target, h, 1 - source_end);
-      if (!edge.aligned)
+      if (!edge.aligned || edge.is_weak)
         break; // both sides have the same nodes
     }
   }
@@ -161,9 +180,8 @@ private:
   }
 
   /// The vector of the node's frame that is nearer to the edge.
-  std::size_t vector_along(int node, int halfedge) const
+  std::size_t vector_along(const Vertex_constraint& constraint, int node, int halfedge) const
   {
-    const Vertex_constraint& constraint = m_result.of_node[std::size_t(node)];
     if (!constraint.has_direction())
       return 0;
     return std::real(squared_direction(node, halfedge) * std::polar(1.0, -2 * constraint.angle())) > 0 ? 0 : 1;
@@ -175,14 +193,15 @@ private:
     const double smooth = 0.8660254037844386; // 30 degrees
     for (const Constrained_halfedge& edge : m_edges) {
       const int other = m_mesh.opposite(edge.halfedge);
-      if (!edge.aligned || other < 0)
+      if (!edge.aligned || edge.is_weak || other < 0)
         continue;
       const int pairs[2][2] = {{corner_node(edge.halfedge), corner_node(Indexed_triangulation::next(other))},
                                {corner_node(Indexed_triangulation::next(edge.halfedge)), corner_node(other)}};
       for (const auto& [a, b] : pairs) {
-        if (!m_result.of_node[std::size_t(a)].has_direction() || !m_result.of_node[std::size_t(b)].has_direction())
+        const Vertex_constraint &at_a = m_result.of_node[std::size_t(a)], &at_b = m_result.of_node[std::size_t(b)];
+        if (!at_a.has_direction() || !at_b.has_direction())
           continue;
-        const std::size_t i = vector_along(a, edge.halfedge), j = vector_along(b, edge.halfedge);
+        const std::size_t i = vector_along(at_a, a, edge.halfedge), j = vector_along(at_b, b, edge.halfedge);
         join(2 * a + int(i), 2 * b + int(j));
         if (m_result.nodes.axes[std::size_t(a)].col(2).dot(m_result.nodes.axes[std::size_t(b)].col(2)) > smooth)
           join(2 * a + 1 - int(i), 2 * b + 1 - int(j));
@@ -274,16 +293,72 @@ template <int N> Restricted_unknowns<N> restrict_surface(const Surface_constrain
   return Restricted_unknowns<N>(std::move(restrictions), std::move(index), count);
 }
 
-/// As `restrict_surface`, for the octahedral fields of surface, eq. (57): all lengths are 1.
+/// What a node's coefficients should be, as an affine space; the node's own constraint alone, so lengths are not
+/// shared.
+template <int N> Vertex_restriction<N> weak_restriction(const Vertex_constraint& constraint)
+{
+  if (!constraint.has_direction())
+    return constraint.has_size() && !constraint.is_free_corner() ? undirected_restriction<N>(constraint.mean_size())
+                                                                 : Vertex_restriction<N>();
+  Vertex_restriction<N> restriction;
+  restriction.is_free = false;
+  restriction.basis.setZero();
+  restriction.dimension = 0;
+  const auto add = [&](bool first, bool second, const Vertex_constraint::Vector_size& size) {
+    Orthogonal_frame_2 frame = constrained_unit_frame(constraint);
+    frame.size_u = first ? 1 : 0;
+    frame.size_v = second ? 1 : 0;
+    const auto power = Tensor_coefficients<N>::from_harmonics(odeco_harmonics(frame));
+    if (size.is_consistent())
+      restriction.offset += size.value() * power;
+    else
+      restriction.basis.col(restriction.dimension++) = power;
+  };
+  if constexpr (N == 3) {
+    Vertex_constraint::Vector_size both = constraint.size[0];
+    both.add(constraint.size[1]);
+    add(true, true, both);
+  } else {
+    add(true, false, constraint.size[0]);
+    add(false, true, constraint.size[1]);
+  }
+  return restriction;
+}
+
+/// The weak constraints of nodes as residuals, P (q - o) for the affine space o + B s and P = I - B B^+.
+template <int N> std::vector<Weak_target<N>> weak_targets(const Surface_constraints& constraints)
+{
+  const double total = std::accumulate(constraints.weak_length.begin(), constraints.weak_length.end(), 0.);
+  std::vector<Weak_target<N>> targets(constraints.weak_of_node.size());
+  for (std::size_t v = 0; v < targets.size(); ++v) {
+    if (constraints.weak_length[v] == 0)
+      continue;
+    const Vertex_restriction<N> restriction = weak_restriction<N>(constraints.weak_of_node[v]);
+    if (restriction.is_free)
+      continue;
+    const Eigen::MatrixXd basis = restriction.basis.leftCols(restriction.dimension);
+    targets[v].projector.setIdentity();
+    if (restriction.dimension > 0)
+      targets[v].projector -= basis * (basis.transpose() * basis).ldlt().solve(basis.transpose());
+    targets[v].offset = targets[v].projector * restriction.offset;
+    targets[v].share = constraints.weak_length[v] / total;
+  }
+  return targets;
+}
+
+/// As `restrict_surface`, for the octahedral fields of surface, eq. (57): all lengths are 1. They also follow weakly
+/// constrained edges.
 template <int N> Restricted_unknowns<N> restrict_to_octahedral(const Surface_constraints& constraints)
 {
   std::vector<Vertex_restriction<N>> restrictions(constraints.of_node.size());
   for (std::size_t v = 0; v < restrictions.size(); ++v) {
     restrictions[v] = undirected_restriction<N>(1);
-    if (constraints.of_node[v].has_direction()) {
+    const bool is_strong = constraints.of_node[v].has_direction() || constraints.weak_of_node.empty();
+    const Vertex_constraint& constraint = is_strong ? constraints.of_node[v] : constraints.weak_of_node[v];
+    if (constraint.has_direction()) {
       restrictions[v].dimension = 0;
       restrictions[v].offset =
-          Tensor_coefficients<N>::from_harmonics(odeco_harmonics(constrained_unit_frame(constraints.of_node[v])));
+          Tensor_coefficients<N>::from_harmonics(odeco_harmonics(constrained_unit_frame(constraint)));
     }
   }
   return Restricted_unknowns<N>(std::move(restrictions));

@@ -23,6 +23,7 @@ struct Constrained_halfedge {
   int halfedge;
   bool aligned;
   std::array<Frame_size, 2> size;
+  bool is_weak = false; ///< only on surfaces
 };
 
 /// What the constrained edges around one vertex ask for together.

@@ -116,6 +116,11 @@ inline Pack logarithm(const Pack& x)
 {
   return from_lanes<Pack>([&](int i) { return std::log(x.lane(i)); });
 }
+inline double exponential(double x) { return std::exp(x); }
+inline Pack exponential(const Pack& x)
+{
+  return from_lanes<Pack>([&](int i) { return std::exp(x.lane(i)); });
+}
 inline double square_root(double x) { return std::sqrt(x); }
 inline Pack square_root(const Pack& x)
 {
