@@ -32,8 +32,8 @@ AREA, ANGLE, SIZING = (["--preset", name] for name in ("area", "angle", "sizing"
 
 # Triangle sizes that give about the paper's numbers of triangles; meshes are taken as they are.
 PAPER_MODELS = [
-    Model("M1 area", "i01o_m1.step", AREA + ["--triangle-size", "2.32"], 37766, 657),
-    Model("M1 angle", "i01o_m1.step", ANGLE + ["--triangle-size", "2.32"], 37766, 205),
+    Model("M1 area", "i01o_m1.step", AREA + ["--triangle-size", "1.77"], 37766, 657),
+    Model("M1 angle", "i01o_m1.step", ANGLE + ["--triangle-size", "1.77"], 37766, 205),
     Model("M2 area", "i02o_m2.step", AREA + ["--triangle-size", "0.32"], 22133, 726),
     Model("M2 angle", "i02o_m2.step", ANGLE + ["--triangle-size", "0.32"], 22133, 522),
     Model("M4", "i04o_m4.step", SIZING + ["--triangle-size", "0.42"], 38928, 421),
