@@ -107,11 +107,18 @@ std::vector<std::size_t> candidates_by_cost(const std::vector<Field_start>& star
 /// Scores that differ by less tell of rounding to integers, not of fields.
 constexpr double tolerated_score_ratio = 1.1;
 
-/// The field of a finished run again, on finer triangles around its singularities; `result` becomes that if it is
-/// better.
-void solve_again_around_singularities(const std::vector<Edge_frame_constraint>& constraints,
-                                      const Planar_domain& domain, const Odeco_field_options& field_options,
-                                      Meshing_options meshing, double score, Quad_pipeline_result& result)
+/// A meshed start, and what its mesh is worth.
+struct Scored_result {
+  double score = std::numeric_limits<double>::infinity();
+  Quad_pipeline_result result;
+};
+
+/// The field of a meshed start again, on finer triangles around its singularities; nothing unless that is better than
+/// `best`.
+std::optional<Quad_pipeline_result>
+solved_again_around_singularities(const std::vector<Edge_frame_constraint>& constraints, const Planar_domain& domain,
+                                  const Odeco_field_options& field_options, Meshing_options meshing,
+                                  const Quad_pipeline_result& result, const Scored_result& best)
 {
   // A map that is much harder to untangle than the one that there is will hardly be better, and takes long.
   meshing.map.move_singularities = false;
@@ -136,13 +143,14 @@ void solve_again_around_singularities(const std::vector<Edge_frame_constraint>& 
     attempt.field->seconds += field.seconds;
     mesh_field(refined, meshing, attempt);
   } catch (const Error&) { // also where the finer triangles are too small for doubles
-    return;
+    return {};
   }
   const double refined_score = mesh_score(refined, problem.constraints, field_options.isotropic, attempt);
-  if (attempt.map->integration_error >= result.map->integration_error || refined_score > tolerated_score_ratio * score)
-    return;
+  if (attempt.map->integration_error >= best.result.map->integration_error ||
+      refined_score > tolerated_score_ratio * best.score)
+    return {};
   attempt.smooth_integration_error = result.smooth_integration_error;
-  result = std::move(attempt);
+  return attempt;
 }
 
 } // namespace
@@ -173,8 +181,8 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   }
 
   std::optional<No_result_error> first_error;
-  std::optional<Quad_pipeline_result> first_failed, best;
-  double best_score = std::numeric_limits<double>::infinity();
+  std::optional<Quad_pipeline_result> first_failed;
+  std::optional<Scored_result> best, second_best;
   std::vector<std::string> rejected;
   const auto is_good = [&](std::size_t start) {
     return starts[start].cost <= options.meshed_cost_ratio * starts[order.front()].cost;
@@ -198,9 +206,11 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
       mesh_field(domain, meshing, attempt);
       work_left -= attempt.extraction->quantization.work;
       const double score = scores[start] = mesh_score(domain, constraints, options.field.isotropic, attempt);
-      if (score < best_score) {
-        best_score = score;
-        best = std::move(attempt);
+      if (!best || score < best->score) {
+        second_best = std::move(best);
+        best = {score, std::move(attempt)};
+      } else if (!second_best || score < second_best->score) {
+        second_best = {score, std::move(attempt)};
       }
     } catch (const No_result_error& error) {
       work_left -= meshing.optimal.work_limit; // it may all be used up
@@ -211,10 +221,18 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
       }
     }
   }
-  result = std::move(best ? *best : *first_failed);
+  result = best ? best->result : std::move(*first_failed);
   if (best && domain.mesh.number_of_faces() <= options.max_refined_triangles && options.field.integrable &&
-      options.field.solver == Field_solver_kind::levenberg_marquardt && !result.map->singular_vertices.empty())
-    solve_again_around_singularities(constraints, domain, field_options, meshing, best_score, result);
+      options.field.solver == Field_solver_kind::levenberg_marquardt)
+    // Where singularities are is not known exactly before: which of two fields is the better one may turn out only
+    // then.
+    for (const auto& candidate : {&best, &second_best})
+      if (*candidate && !(*candidate)->result.map->singular_vertices.empty())
+        if (auto again = solved_again_around_singularities(constraints, domain, field_options, meshing,
+                                                           (*candidate)->result, *best)) {
+          result = std::move(*again);
+          break;
+        }
   result.mesh_scores = std::move(scores);
   result.rejected = std::move(rejected);
   if (!result.extraction)
