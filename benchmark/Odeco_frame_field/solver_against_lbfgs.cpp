@@ -11,14 +11,17 @@
 // one of the two final energies. Ours contains the sparsity pattern and its symbolic analysis. A solver that ends in a
 // higher minimum never gets there; then all of its time counts, and the row says so.
 
+#include "solver_comparison.h"
+
+#include <Quadrille/Odeco_frame_field/internal/Planar_field.h>
 #include <Quadrille/Size_specification.h>
+#include <Quadrille/minimize_lbfgs.h>
 #include <Quadrille/odeco_frame_field.h>
 #include <Quadrille/read_planar_domain.h>
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -61,15 +64,6 @@ std::unique_ptr<internal::Planar_field<N>> read_field(const std::string& name, d
   return std::make_unique<internal::Planar_field<N>>(index.triangulation, points, edges, options, evaluator);
 }
 
-/// When an energy was reached that is at most the given one; all of the time if it never was.
-double time_to(const Minimization_report& report, double energy)
-{
-  for (const Energy_sample& sample : report.history)
-    if (sample.energy <= energy)
-      return sample.seconds;
-  return report.seconds;
-}
-
 std::vector<double> table_ratios;
 
 template <int N> void compare(benchmark::State& state, const std::string& name, double triangle_size, bool is_in_table)
@@ -106,7 +100,7 @@ template <int N> void compare(benchmark::State& state, const std::string& name, 
     const Minimization_report lbfgs = minimize_lbfgs(problem, x, lbfgs_options);
 
     const double common = (1 + 1e-4) * std::min(ours.energy, lbfgs.energy);
-    const double our_time = preparation + time_to(ours, common), lbfgs_time = time_to(lbfgs, common);
+    const double our_time = preparation + time_to_energy(ours, common), lbfgs_time = time_to_energy(lbfgs, common);
     if (is_in_table)
       table_ratios.push_back(lbfgs_time / our_time);
     state.counters["triangles"] = double(elements.number_of_elements());
@@ -147,12 +141,9 @@ int main(int argc, char** argv)
   add<5>("nautilus", 0.857);
   add<3>("square_1_2", 0.152, false);
   benchmark::RunSpecifiedBenchmarks();
-  double log_sum = 0;
-  for (const double ratio : table_ratios)
-    log_sum += std::log(ratio);
   if (!table_ratios.empty())
     std::printf("geometric mean of the ratios of %zu rows of Table 1: %.1f\n", table_ratios.size(),
-                std::exp(log_sum / double(table_ratios.size())));
+                geometric_mean(table_ratios));
   return 0;
 }
 
