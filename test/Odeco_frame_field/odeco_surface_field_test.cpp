@@ -116,6 +116,45 @@ TEST(Odeco_surface_field, a_sphere_has_eight_singularities_of_valence_3)
   }
 }
 
+/// Without creases, all three axes different.
+Space_triangles ellipsoid(int n)
+{
+  Space_triangles triangles = icosphere(n);
+  for (Eigen::Vector3d& p : triangles.points)
+    p = p.cwiseProduct(Eigen::Vector3d(1, 1.3, 1.8));
+  return triangles;
+}
+
+TEST(Odeco_surface_field, minimises_the_sum_of_its_terms)
+{
+  for (const bool as_in_paper : {true, false})
+    for (const Surface_field_weights weights :
+         {Surface_field_weights::area_preserving(), Surface_field_weights::angle_preserving()}) {
+      Surface_field_options options = quick(0);
+      options.terms_as_in_paper = as_in_paper;
+      options.weights = weights;
+      const Surface_field_result result = surface_field(ellipsoid(6), options).result;
+      const Surface_energy_terms& terms = result.terms;
+      const double sum = terms.curl + terms.odeco + terms.sizes + terms.angles + terms.weak;
+      EXPECT_GT(terms.odeco, 0);
+      EXPECT_NEAR(result.energy, sum, 1e-9 * sum);
+    }
+}
+
+TEST(Odeco_surface_field, relaxed_fields_that_come_from_coarse_triangles_are_not_worse)
+{
+  double energy[2];
+  for (const bool coarse : {false, true}) {
+    Surface_field_options options = quick(0);
+    options.schedule.relax_triangles = coarse ? 150 : 1000000;
+    const Field field = surface_field(ellipsoid(8), options);
+    EXPECT_EQ(field.result.starts[std::size_t(field.result.chosen)].kind, Field_start::Kind::relaxed);
+    EXPECT_EQ(field.index_sum, 8);
+    energy[coarse ? 1 : 0] = field.result.energy;
+  }
+  EXPECT_LT(energy[1], 1.02 * energy[0]);
+}
+
 TEST(Odeco_surface_field, a_torus_needs_no_singularity)
 {
   const Field field = surface_field(torus(24, 12, 2, 1), quick(0));

@@ -26,6 +26,8 @@ struct Melt_and_freeze_schedule {
   double smooth_epsilon = 2; ///< of the smooth start
   /// Triangulations with at least twice as many are coarsened to about so many triangles, and melted and frozen there.
   int coarse_triangles = 5000;
+  /// On surfaces the relaxed field comes from the smooth one of a triangulation coarsened to about so many.
+  int relax_triangles = 500;
   /// Large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles, and 2 for even seeds.
   double melt_epsilon = 20;
   double size_attraction = 1; ///< weight of the mean squared log(size / expected), while melted
@@ -85,7 +87,7 @@ struct Odeco_field_options : Field_run_options {
 struct Field_start {
   enum class Kind {
     smooth,  ///< minimises E_smooth: the reference, never chosen when there is another
-    relaxed, ///< the smooth field, then E_integ
+    relaxed, ///< the smooth field (on surfaces that of coarse triangles), then E_integ
     melted,  ///< melted and frozen
     initial  ///< `Odeco_field_options::initial_field`, then E_integ
   };

@@ -52,22 +52,29 @@ protected:
   /// factorise, so that no factor is kept longer than it is used.
   void compute_starts(const Mesh& mesh, const Elements& elements, const Solver& analyzed, int n_melted)
   {
-    n_melted = m_options.integrable && m_options.solver == Field_solver_kind::levenberg_marquardt ? n_melted : 0;
+    const bool is_reference = m_options.solver != Field_solver_kind::levenberg_marquardt;
+    n_melted = m_options.integrable && !is_reference ? n_melted : 0;
     m_starts.resize(m_options.integrable ? 2 + std::size_t(n_melted) : 1);
     m_fields.resize(m_starts.size());
-    compute_smooth_and_relaxed_starts(elements, analyzed);
+    compute_smooth_start(elements, analyzed);
+    if (!m_options.integrable)
+      return;
+    const bool needs_levels = n_melted > 0 || (Level::relaxes_from_coarse && !is_reference);
+    const auto hierarchy = needs_levels ? std::make_unique<Field_hierarchy<Level>>(
+                                              mesh, elements, m_options.schedule,
+                                              [this](const Level& level, const Melt_and_freeze_schedule& schedule) {
+                                                return derived().make_level_solver(level, schedule);
+                                              })
+                                        : nullptr;
+    compute_relaxed_start(elements, analyzed, hierarchy.get());
     if (n_melted == 0)
       return;
-    const Field_hierarchy<Level> hierarchy(mesh, elements, m_options.schedule,
-                                           [this](const Level& level, const Melt_and_freeze_schedule& schedule) {
-                                             return derived().make_level_solver(level, schedule);
-                                           });
     const int at_once = int(std::clamp<std::size_t>(triangles_at_once / elements.number_of_elements(), 1, 1000));
     const int start_threads = m_options.threads > 0 ? std::min(m_options.threads, at_once) : at_once;
     parallel_for(
         std::size_t(n_melted), start_threads,
         [&](std::size_t i) {
-          compute_melted_start(i, elements, analyzed, start_threads > 1 ? 1 : m_options.threads, hierarchy);
+          compute_melted_start(i, elements, analyzed, start_threads > 1 ? 1 : m_options.threads, *hierarchy);
         },
         1);
   }
@@ -107,23 +114,31 @@ protected:
   }
 
 private:
-  void compute_smooth_and_relaxed_starts(const Elements& elements, const Solver& analyzed)
+  void compute_smooth_start(const Elements& elements, const Solver& analyzed)
   {
+    const Stopwatch watch;
     Solver solver(analyzed, m_options.threads);
-    const Stopwatch smooth_watch;
     m_fields[0] = solver.smooth_field();
     Field_start start;
     start.iterations = solver.iterations();
-    finish_start(0, start, elements, solver, smooth_watch);
-    if (!m_options.integrable)
-      return;
+    finish_start(0, start, elements, solver, watch);
+  }
 
-    const Stopwatch relaxed_watch;
-    m_fields[1] = m_fields[0];
-    solver.integrate(m_fields[1]);
+  void compute_relaxed_start(const Elements& elements, const Solver& analyzed, const Field_hierarchy<Level>* hierarchy)
+  {
+    const Stopwatch watch;
+    Solver solver(analyzed, m_options.threads);
+    Field_start start;
     start.kind = Field_start::Kind::relaxed;
-    start.iterations = solver.iterations() - start.iterations;
-    finish_start(1, start, elements, solver, relaxed_watch);
+    if (hierarchy && hierarchy->can_relax())
+      m_fields[1] = hierarchy->relax(solver, m_options.threads, start.iterations);
+    // Coarse triangles between curves may leave no room for frames of positive size.
+    if (m_fields[1].size() == 0 || !std::isfinite(solver.integrability_energy(m_fields[1]))) {
+      m_fields[1] = m_fields[0];
+      solver.integrate(m_fields[1]);
+    }
+    start.iterations += solver.iterations();
+    finish_start(1, start, elements, solver, watch);
   }
 
   void compute_melted_start(std::size_t i, const Elements& elements, const Solver& analyzed, int threads,
@@ -134,8 +149,8 @@ private:
     Field_start start;
     start.kind = Field_start::Kind::melted;
     start.seed = m_options.seed + i;
-    m_fields[i + 2] = hierarchy.empty() ? solver.melt_and_freeze(m_fields[0], start.seed)
-                                        : hierarchy.melt_and_freeze(start.seed, elements, solver, start.iterations);
+    m_fields[i + 2] = hierarchy.can_melt() ? hierarchy.melt_and_freeze(start.seed, solver, start.iterations)
+                                           : solver.melt_and_freeze(m_fields[0], start.seed);
     start.iterations += solver.iterations();
     finish_start(i + 2, start, elements, solver, watch);
   }

@@ -19,6 +19,7 @@ template <int N> struct Planar_level {
   using Mesh = Constrained_mesh;
   using Elements = Field_elements<N>;
   using Solver = Field_solver<N>;
+  static constexpr bool relaxes_from_coarse = false;
 
   Planar_level(const Constrained_mesh& finer, const Field_elements<N>& finer_elements, std::size_t n_faces)
       : mesh(coarsen_with_local_sizes(finer, n_faces, fine_vertex, coarse_vertex)),

@@ -61,7 +61,12 @@ public:
   }
 
   const Surface_weights& weights() const { return m_weights; }
-  void set_relative_epsilon(double epsilon) { m_weights.odeco = epsilon; }
+  /// The paper's terms have none.
+  void set_relative_epsilon(double epsilon)
+  {
+    if (!m_weights.as_in_paper)
+      m_weights.odeco = epsilon;
+  }
   /// What leads a melted field: adds the schedule's attractions to the expected sizes (half the mean over the surface
   /// of the squared logarithm of values against the expected ones), and to smooth fields (the Dirichlet energy over the
   /// area). Integrability alone would let pairs of singularities be that no size needs.

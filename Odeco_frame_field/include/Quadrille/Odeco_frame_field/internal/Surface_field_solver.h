@@ -148,7 +148,7 @@ private:
     }
 #endif
     Levenberg_marquardt_options options;
-    options.relative_decrease = 1e-5;
+    options.relative_decrease = 1e-3;
     options.observer = m_observer;
     options.stage = "field";
     m_iterations += minimize_levenberg_marquardt(problem, x, options).iterations;
@@ -167,6 +167,7 @@ template <int N> struct Surface_level {
   using Mesh = Surface_problem;
   using Elements = Surface_elements<N>;
   using Solver = Surface_field_solver<N>;
+  static constexpr bool relaxes_from_coarse = true;
 
   Surface_level(const Surface_problem& finer, const Surface_elements<N>& finer_elements, std::size_t n_faces)
       : mesh(coarsen_with_local_sizes(finer.surface, n_faces, fine_vertex, coarse_vertex), targets_of(finer)),

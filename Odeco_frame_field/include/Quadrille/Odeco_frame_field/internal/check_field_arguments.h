@@ -51,7 +51,8 @@ inline void check_schedule(const Melt_and_freeze_schedule& schedule, int starts,
   if (starts < 0 || threads < 0)
     throw Invalid_argument_error("the numbers of starts and of threads must not be negative");
   if (!(schedule.smooth_epsilon > 0) || !(schedule.final_epsilon > 0) || schedule.coarse_triangles < 1 ||
-      !(schedule.melt_epsilon >= schedule.final_epsilon) || !(schedule.freeze_ratio > 1) || !(schedule.noise >= 0))
+      schedule.relax_triangles < 1 || !(schedule.melt_epsilon >= schedule.final_epsilon) ||
+      !(schedule.freeze_ratio > 1) || !(schedule.noise >= 0))
     throw Invalid_argument_error("the melt-and-freeze schedule needs positive epsilons that do not increase, a ratio "
                                  "above 1, a noise that is not negative and a positive number of triangles");
 }
