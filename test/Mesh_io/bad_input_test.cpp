@@ -3,6 +3,7 @@
 
 #include "temporary_files.h"
 
+#include <Quadrille/exceptions.h>
 #include <Quadrille/read_mesh.h>
 #include <Quadrille/read_planar_domain.h>
 

@@ -4,6 +4,7 @@
 #include "temporary_files.h"
 
 #include <Quadrille/Curve_projector.h>
+#include <Quadrille/exceptions.h>
 #include <Quadrille/read_planar_domain.h>
 
 #include <CGAL/boost/graph/iterator.h>

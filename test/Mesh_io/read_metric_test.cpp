@@ -5,6 +5,7 @@
 #include "tetrahedral_mesh_texts.h"
 #include "tetrahedral_test_meshes.h"
 
+#include <Quadrille/exceptions.h>
 #include <Quadrille/read_metric.h>
 #include <Quadrille/read_tetrahedral_mesh.h>
 

@@ -3,6 +3,7 @@
 
 #include "temporary_files.h"
 
+#include <Quadrille/exceptions.h>
 #include <Quadrille/read_size_field.h>
 #include <Quadrille/read_surface_domain.h>
 

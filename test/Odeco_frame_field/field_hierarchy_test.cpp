@@ -3,7 +3,8 @@
 
 #include "field_test_meshes.h"
 
-#include <Quadrille/Odeco_frame_field/internal/Planar_field.h>
+#include <Quadrille/Odeco_frame_field/internal/Planar_level.h>
+#include <Quadrille/Odeco_frame_field/internal/solve_planar_field.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <Quadrille/Odeco_quadrics_3.h>
 #include <Quadrille/odeco_tensors_2.h>
 #include <Quadrille/odeco_tensors_3.h>
 

@@ -74,6 +74,8 @@ Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& do
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/Mesh_quality_impl.h>
+#endif
 
 #endif

@@ -69,6 +69,8 @@ Planar_domain make_planar_domain(const Labelled_mesh& input, const std::string& 
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/make_planar_domain.h>
+#endif
 
 #endif

@@ -73,6 +73,8 @@ Surface_domain make_surface_domain(const Labelled_mesh& input, const std::string
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/make_surface_domain.h>
+#endif
 
 #endif

@@ -17,6 +17,8 @@ double estimate_number_of_quads(const Planar_domain& domain, const Domain_sizes&
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/estimate_quads_impl.h>
+#endif
 
 #endif

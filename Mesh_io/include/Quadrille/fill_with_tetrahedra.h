@@ -50,6 +50,8 @@ Tetrahedral_mesh load_tetrahedral_mesh(const std::string& path, const Filling_op
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/fill_with_tetrahedra_impl.h>
+#endif
 
 #endif

@@ -28,6 +28,8 @@ std::variant<Planar_domain, Surface_domain> read_domain(const std::string& path,
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/read_domain_impl.h>
+#endif
 
 #endif

@@ -5,7 +5,6 @@
 #define QUADRILLE_READ_MESH_H
 
 #include <Quadrille/Labelled_mesh.h>
-#include <Quadrille/Mesh_io/internal/read_labelled_mesh.h>
 
 #include <string>
 
@@ -15,11 +14,12 @@ namespace Quadrille {
 /// checked but the file itself. `isolate` and `time_limit_seconds` as in `Planar_domain_options`.
 ///
 /// \throws Invalid_input_error naming the file, the place in it and the reason.
-inline Labelled_mesh read_mesh(const std::string& path, bool isolate = true, double time_limit_seconds = 120)
-{
-  return internal::read_labelled_mesh(path, isolate, time_limit_seconds);
-}
+Labelled_mesh read_mesh(const std::string& path, bool isolate = true, double time_limit_seconds = 120);
 
 } // namespace Quadrille
+
+#ifndef QUADRILLE_SEPARATE_COMPILATION
+#include <Quadrille/Mesh_io/internal/read_mesh_impl.h>
+#endif
 
 #endif

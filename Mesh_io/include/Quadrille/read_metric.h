@@ -35,6 +35,8 @@ std::vector<Eigen::Matrix3d> read_metric(const std::string& path, std::size_t nu
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/read_metric_impl.h>
+#endif
 
 #endif

@@ -30,6 +30,8 @@ Planar_domain read_planar_domain(const std::string& path, const Planar_domain_op
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/read_planar_domain.h>
+#endif
 
 #endif

@@ -44,6 +44,8 @@ std::vector<double> read_size_field(const std::string& path, const Surface_domai
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/read_size_field.h>
+#endif
 
 #endif

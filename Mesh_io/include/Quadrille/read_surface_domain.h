@@ -32,6 +32,8 @@ Surface_domain read_surface_domain(const std::string& path, const Surface_domain
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/read_surface_domain_impl.h>
+#endif
 
 #endif

@@ -42,6 +42,8 @@ Tetrahedral_mesh read_tetrahedral_mesh(const std::string& path, bool isolate = t
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/read_tetrahedral_mesh_impl.h>
+#endif
 
 #endif

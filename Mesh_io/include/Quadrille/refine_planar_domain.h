@@ -33,6 +33,8 @@ Refined_planar_domain refine_planar_domain(const Planar_domain& domain, const st
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/refine_planar_domain_impl.h>
+#endif
 
 #endif

@@ -59,6 +59,8 @@ void write_corner_map(const std::string& path, const Domain& domain,
 } // namespace Quadrille
 
 #include <Quadrille/Mesh_io/internal/write_domain_impl.h>
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/write_mesh_impl.h>
+#endif
 
 #endif

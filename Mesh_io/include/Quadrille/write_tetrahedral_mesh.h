@@ -41,6 +41,8 @@ void write_frames(const std::string& path, const Tetrahedral_mesh& mesh, const s
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Mesh_io/internal/write_tetrahedral_mesh_impl.h>
+#endif
 
 #endif

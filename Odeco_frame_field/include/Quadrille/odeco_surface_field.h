@@ -5,7 +5,7 @@
 #define QUADRILLE_ODECO_SURFACE_FIELD_H
 
 #include <Quadrille/Frame_edge_constraints.h>
-#include <Quadrille/Odeco_frame_field/internal/Surface_field.h>
+#include <Quadrille/Odeco_frame_field/internal/solve_surface_field.h>
 #include <Quadrille/Surface_field_options.h>
 
 #include <Eigen/Core>

@@ -63,6 +63,8 @@ Odeco_restriction restriction_to_crosses(const Eigen::Vector3d& axis);
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Symmetric_tensors/internal/odeco_restrictions_3_impl.h>
+#endif
 
 #endif

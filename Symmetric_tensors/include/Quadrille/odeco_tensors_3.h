@@ -78,6 +78,8 @@ std::vector<std::pair<double, Eigen::Vector3d>> eigenpairs(const Symmetric_tenso
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Symmetric_tensors/internal/odeco_tensors_3_impl.h>
+#endif
 
 #endif

@@ -9,6 +9,7 @@
 #include <Quadrille/Mesh_io/internal/format_place.h>
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Support/internal/segment_intersections.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 
 #include <CGAL/number_utils.h>
 
@@ -215,7 +216,7 @@ private:
 
 } // namespace internal
 
-inline std::vector<std::array<int, 2>> border_edges(const Labelled_mesh& mesh)
+QUADRILLE_INLINE std::vector<std::array<int, 2>> border_edges(const Labelled_mesh& mesh)
 {
   std::set<std::pair<int, int>> directed;
   for (const std::vector<int>& polygon : mesh.polygons)
@@ -228,9 +229,12 @@ inline std::vector<std::array<int, 2>> border_edges(const Labelled_mesh& mesh)
   return border;
 }
 
-inline Mesh_validity check_quad_mesh(const Labelled_mesh& mesh) { return internal::Quad_mesh_checker(mesh).run(); }
+QUADRILLE_INLINE Mesh_validity check_quad_mesh(const Labelled_mesh& mesh)
+{
+  return internal::Quad_mesh_checker(mesh).run();
+}
 
-inline Mesh_quality measure_quality(const Labelled_mesh& mesh)
+QUADRILLE_INLINE Mesh_quality measure_quality(const Labelled_mesh& mesh)
 {
   Mesh_quality quality;
   std::vector<int> n_quads(mesh.points.size(), 0);
@@ -315,7 +319,8 @@ inline std::vector<std::vector<double>> widths_at_edges(const Labelled_mesh& mes
 
 } // namespace internal
 
-inline Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& domain, const Domain_sizes& sizes)
+QUADRILLE_INLINE Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& domain,
+                                               const Domain_sizes& sizes)
 {
   const Curve_locator locator(domain);
   const std::vector<std::array<int, 2>> lines = mesh.lines.empty() ? border_edges(mesh) : mesh.lines;

@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_ESTIMATE_QUADS_IMPL_H
 #define QUADRILLE_MESH_IO_INTERNAL_ESTIMATE_QUADS_IMPL_H
 
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/estimate_quads.h>
 
 #include <Eigen/IterativeLinearSolvers>
@@ -111,7 +112,7 @@ private:
 
 } // namespace internal
 
-inline double estimate_number_of_quads(const Planar_domain& domain, const Domain_sizes& sizes)
+QUADRILLE_INLINE double estimate_number_of_quads(const Planar_domain& domain, const Domain_sizes& sizes)
 {
   const internal::Size_spreader spreader(domain, sizes);
   if (!spreader.has_sizes())

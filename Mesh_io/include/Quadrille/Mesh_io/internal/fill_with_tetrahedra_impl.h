@@ -8,8 +8,10 @@
 #include <Quadrille/Mesh_io/internal/fill_by_tetgen.h>
 #include <Quadrille/Mesh_io/internal/mesh_geometry.h>
 #include <Quadrille/Mesh_io/internal/read_labelled_mesh.h>
+#include <Quadrille/Mesh_io/internal/read_tetrahedral_mesh_impl.h>
 #include <Quadrille/Mesh_io/internal/run_in_child_process.h>
 #include <Quadrille/Mesh_io/internal/tetrahedron_counts.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/fill_with_tetrahedra.h>
 #include <Quadrille/read_tetrahedral_mesh.h>
 
@@ -110,7 +112,7 @@ inline bool is_surface_file(const std::string& path)
 
 } // namespace internal
 
-inline Tetrahedral_mesh fill_with_tetrahedra(const std::string& path, const Filling_options& options)
+QUADRILLE_INLINE Tetrahedral_mesh fill_with_tetrahedra(const std::string& path, const Filling_options& options)
 {
   internal::check_options(options);
   if (internal::is_geometry_file(path))
@@ -130,7 +132,7 @@ inline Tetrahedral_mesh fill_with_tetrahedra(const std::string& path, const Fill
   return internal::fill_surface(content.surface, path, options);
 }
 
-inline Tetrahedral_mesh load_tetrahedral_mesh(const std::string& path, const Filling_options& options)
+QUADRILLE_INLINE Tetrahedral_mesh load_tetrahedral_mesh(const std::string& path, const Filling_options& options)
 {
   internal::check_options(options);
   if (internal::is_geometry_file(path) || internal::is_surface_file(path))

@@ -9,6 +9,7 @@
 #include <Quadrille/Mesh_io/internal/domain_faces.h>
 #include <Quadrille/Mesh_io/internal/split_chords.h>
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 
 #include <array>
 #include <string>
@@ -30,8 +31,8 @@ inline int split_chords(const Labelled_mesh& input, Checked_triangles& checked, 
 
 } // namespace internal
 
-inline Planar_domain make_planar_domain(const Labelled_mesh& input, const std::string& source,
-                                        const Planar_domain_options& options)
+QUADRILLE_INLINE Planar_domain make_planar_domain(const Labelled_mesh& input, const std::string& source,
+                                                  const Planar_domain_options& options)
 {
   internal::Checked_triangles checked = internal::Triangle_checker(input, source).run();
   Planar_domain domain;

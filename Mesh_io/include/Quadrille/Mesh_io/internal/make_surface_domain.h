@@ -8,6 +8,7 @@
 #include <Quadrille/Mesh_io/internal/Curve_tracer.h>
 #include <Quadrille/Mesh_io/internal/check_surface.h>
 #include <Quadrille/Mesh_io/internal/domain_faces.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/Surface_domain.h>
 #include <Quadrille/exceptions.h>
 
@@ -131,8 +132,8 @@ inline Surface_domain make_surface(const Labelled_mesh& input, const std::string
 
 } // namespace internal
 
-inline Surface_domain make_surface_domain(const Labelled_mesh& input, const std::string& source,
-                                          const Surface_domain_options& options)
+QUADRILLE_INLINE Surface_domain make_surface_domain(const Labelled_mesh& input, const std::string& source,
+                                                    const Surface_domain_options& options)
 {
   internal::check_options(options);
   return internal::make_surface(input, source, options, false);

@@ -7,6 +7,7 @@
 #include <Quadrille/Mesh_io/internal/Spatial_extent.h>
 #include <Quadrille/Mesh_io/internal/read_planar_domain.h>
 #include <Quadrille/Mesh_io/internal/read_surface_domain_impl.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/read_domain.h>
 #include <Quadrille/read_planar_domain.h>
 #include <Quadrille/read_surface_domain.h>
@@ -17,7 +18,7 @@
 
 namespace Quadrille {
 
-inline bool is_planar(const Labelled_mesh& mesh)
+QUADRILLE_INLINE bool is_planar(const Labelled_mesh& mesh)
 {
   internal::Spatial_extent extent;
   for (const std::vector<int>& polygon : mesh.polygons)
@@ -26,9 +27,9 @@ inline bool is_planar(const Labelled_mesh& mesh)
   return extent.is_flat(internal::Triangle_checker::planarity_tolerance);
 }
 
-inline std::variant<Planar_domain, Surface_domain> read_domain(const std::string& path,
-                                                               const Planar_domain_options& planar_options,
-                                                               const Surface_domain_options& surface_options)
+QUADRILLE_INLINE std::variant<Planar_domain, Surface_domain> read_domain(const std::string& path,
+                                                                         const Planar_domain_options& planar_options,
+                                                                         const Surface_domain_options& surface_options)
 {
   internal::check_options(planar_options);
   internal::check_options(surface_options);

@@ -9,6 +9,7 @@
 #include <Quadrille/Mesh_io/internal/format_numbers.h>
 #include <Quadrille/Mesh_io/internal/read_msh_volume.h>
 #include <Quadrille/Mesh_io/internal/run_in_child_process.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/read_metric.h>
 
 #include <algorithm>
@@ -187,8 +188,8 @@ inline std::vector<Eigen::Matrix3d> metrics_at_nodes(const Node_data& data, cons
 
 } // namespace internal
 
-inline std::vector<Eigen::Matrix3d> read_metric(const std::string& path, std::size_t number_of_vertices, bool isolate,
-                                                double time_limit_seconds)
+QUADRILLE_INLINE std::vector<Eigen::Matrix3d> read_metric(const std::string& path, std::size_t number_of_vertices,
+                                                          bool isolate, double time_limit_seconds)
 {
   const std::string extension = internal::extension_of(path);
   if (extension == ".sol")

@@ -9,6 +9,7 @@
 #include <Quadrille/Mesh_io/internal/read_labelled_mesh.h>
 #include <Quadrille/Mesh_io/internal/run_in_child_process.h>
 #include <Quadrille/Mesh_io/internal/triangulate_geometry.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/read_planar_domain.h>
 
 #include <algorithm>
@@ -87,7 +88,7 @@ inline Planar_domain mesh_domain(const Labelled_mesh& mesh, const std::string& p
 
 } // namespace internal
 
-inline Planar_domain read_planar_domain(const std::string& path, const Planar_domain_options& options)
+QUADRILLE_INLINE Planar_domain read_planar_domain(const std::string& path, const Planar_domain_options& options)
 {
   internal::check_options(options);
   internal::check_readable(path);

@@ -7,6 +7,7 @@
 #include <Quadrille/Mesh_io/internal/Gmsh_session.h>
 #include <Quadrille/Mesh_io/internal/files.h>
 #include <Quadrille/Mesh_io/internal/run_in_child_process.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/read_size_field.h>
 
 #include <CGAL/Dimension.h>
@@ -237,7 +238,8 @@ Size_field load_size_field(const std::string& path, const Triangulated_domain<Po
 
 } // namespace internal
 
-inline Size_field read_size_field(const std::string& path, const Planar_domain& domain, double time_limit_seconds)
+QUADRILLE_INLINE Size_field read_size_field(const std::string& path, const Planar_domain& domain,
+                                            double time_limit_seconds)
 {
   std::vector<std::array<double, 3>> points;
   for (const auto v : domain.mesh.vertices())
@@ -245,8 +247,8 @@ inline Size_field read_size_field(const std::string& path, const Planar_domain& 
   return internal::load_size_field(path, domain, points, time_limit_seconds);
 }
 
-inline std::vector<double> read_size_field(const std::string& path, const Surface_domain& domain,
-                                           double time_limit_seconds)
+QUADRILLE_INLINE std::vector<double> read_size_field(const std::string& path, const Surface_domain& domain,
+                                                     double time_limit_seconds)
 {
   std::vector<std::array<double, 3>> points;
   for (const auto v : domain.mesh.vertices())

@@ -10,6 +10,7 @@
 #include <Quadrille/Mesh_io/internal/read_planar_domain.h>
 #include <Quadrille/Mesh_io/internal/run_in_child_process.h>
 #include <Quadrille/Mesh_io/internal/triangulate_surfaces.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/read_surface_domain.h>
 
 #include <chrono>
@@ -120,7 +121,7 @@ read_geometry(const std::string& path, const Surface_domain_options& options, co
 
 } // namespace internal
 
-inline Surface_domain read_surface_domain(const std::string& path, const Surface_domain_options& options)
+QUADRILLE_INLINE Surface_domain read_surface_domain(const std::string& path, const Surface_domain_options& options)
 {
   internal::check_options(options);
   internal::check_readable(path);

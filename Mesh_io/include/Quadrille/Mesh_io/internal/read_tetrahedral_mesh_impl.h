@@ -12,6 +12,7 @@
 #include <Quadrille/Mesh_io/internal/parse_vtk.h>
 #include <Quadrille/Mesh_io/internal/read_msh_volume.h>
 #include <Quadrille/Mesh_io/internal/run_in_child_process.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/read_tetrahedral_mesh.h>
 
 #include <algorithm>
@@ -121,7 +122,8 @@ inline Volume_content read_volume_content(const std::string& path, bool isolate,
 
 } // namespace internal
 
-inline Tetrahedral_mesh read_tetrahedral_mesh(const std::string& path, bool isolate, double time_limit_seconds)
+QUADRILLE_INLINE Tetrahedral_mesh read_tetrahedral_mesh(const std::string& path, bool isolate,
+                                                        double time_limit_seconds)
 {
   internal::Volume_content content = internal::read_volume_content(path, isolate, time_limit_seconds);
   if (content.volume.tetrahedra.empty())

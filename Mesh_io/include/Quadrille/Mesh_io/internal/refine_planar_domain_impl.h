@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_REFINE_PLANAR_DOMAIN_IMPL_H
 #define QUADRILLE_MESH_IO_INTERNAL_REFINE_PLANAR_DOMAIN_IMPL_H
 
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/exceptions.h>
 #include <Quadrille/refine_planar_domain.h>
 
@@ -178,7 +179,8 @@ private:
 
 } // namespace internal
 
-inline Refined_planar_domain refine_planar_domain(const Planar_domain& domain, const std::vector<double>& largest_area)
+QUADRILLE_INLINE Refined_planar_domain refine_planar_domain(const Planar_domain& domain,
+                                                            const std::vector<double>& largest_area)
 {
   if (largest_area.size() != domain.mesh.number_of_faces())
     throw Invalid_argument_error("there are " + std::to_string(largest_area.size()) + " largest areas for " +

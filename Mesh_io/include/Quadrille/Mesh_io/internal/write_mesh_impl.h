@@ -7,6 +7,7 @@
 #include <Quadrille/Mesh_io/internal/Msh_entities.h>
 #include <Quadrille/Mesh_io/internal/files.h>
 #include <Quadrille/Mesh_io/internal/format_numbers.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/write_file.h>
 #include <Quadrille/write_mesh.h>
 
@@ -296,7 +297,7 @@ inline std::string vtu_text(const Labelled_mesh& mesh)
 
 } // namespace internal
 
-inline Mesh_file_format mesh_file_format(const std::string& path)
+QUADRILLE_INLINE Mesh_file_format mesh_file_format(const std::string& path)
 {
   static const std::map<std::string, Mesh_file_format> formats = {{".msh", Mesh_file_format::msh_4_1},
                                                                   {".vtk", Mesh_file_format::vtk},
@@ -309,7 +310,7 @@ inline Mesh_file_format mesh_file_format(const std::string& path)
   return format->second;
 }
 
-inline void write_mesh(const std::string& path, const Labelled_mesh& mesh, Mesh_file_format format)
+QUADRILLE_INLINE void write_mesh(const std::string& path, const Labelled_mesh& mesh, Mesh_file_format format)
 {
   switch (format == Mesh_file_format::by_extension ? mesh_file_format(path) : format) {
   case Mesh_file_format::msh_2_2:

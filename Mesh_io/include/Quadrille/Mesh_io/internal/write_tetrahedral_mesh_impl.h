@@ -7,6 +7,7 @@
 #include <Quadrille/Mesh_io/internal/files.h>
 #include <Quadrille/Mesh_io/internal/format_numbers.h>
 #include <Quadrille/Mesh_io/internal/write_vtu_impl.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/exceptions.h>
 #include <Quadrille/write_file.h>
 #include <Quadrille/write_tetrahedral_mesh.h>
@@ -128,7 +129,7 @@ template <class Write> void write_lines(const std::string& path, const Write& wr
 
 } // namespace internal
 
-inline void write_tetrahedral_mesh(const std::string& path, const Tetrahedral_mesh& mesh)
+QUADRILLE_INLINE void write_tetrahedral_mesh(const std::string& path, const Tetrahedral_mesh& mesh)
 {
   const std::string extension = internal::extension_of(path);
   if (extension == ".mesh")
@@ -146,8 +147,8 @@ inline void write_tetrahedral_mesh(const std::string& path, const Tetrahedral_me
   internal::write_vtu_file(path, mesh.points, cells, {});
 }
 
-inline void write_frames(const std::string& path, const Tetrahedral_mesh& mesh,
-                         const std::vector<Eigen::Matrix3d>& frames)
+QUADRILLE_INLINE void write_frames(const std::string& path, const Tetrahedral_mesh& mesh,
+                                   const std::vector<Eigen::Matrix3d>& frames)
 {
   const std::string extension = internal::extension_of(path);
   if (extension != ".fra" && extension != ".ff3")

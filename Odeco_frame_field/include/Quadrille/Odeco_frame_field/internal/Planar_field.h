@@ -8,7 +8,6 @@
 #include <Quadrille/Odeco_frame_field/internal/Canonical_position.h>
 #include <Quadrille/Odeco_frame_field/internal/Field_run.h>
 #include <Quadrille/Odeco_frame_field/internal/Planar_level.h>
-#include <Quadrille/Odeco_frame_field/internal/check_field_arguments.h>
 #include <Quadrille/Odeco_frame_field/internal/harmonic_log_sizes.h>
 #include <Quadrille/Odeco_frame_field/internal/local_triangle_sizes.h>
 #include <Quadrille/Odeco_frame_field/internal/vertex_restrictions.h>
@@ -249,28 +248,6 @@ private:
   Constrained_mesh m_mesh; ///< in the canonical position
   Field_elements<N> m_elements;
 };
-
-/// See `odeco_frame_field`.
-inline Odeco_field_result solve_planar_field(const Indexed_triangulation& mesh,
-                                             const std::vector<Eigen::Vector2d>& points,
-                                             const std::vector<Constrained_halfedge>& edges,
-                                             const Odeco_field_options& options,
-                                             const Planar_field<3>::Evaluator& evaluator, Gradients& gradients)
-{
-  check_field_arguments(edges, options);
-  if (!options.target_size.empty() && options.target_size.size() != points.size())
-    throw Invalid_argument_error("there are " + std::to_string(options.target_size.size()) + " target sizes for " +
-                                 std::to_string(points.size()) + " vertices");
-  if (!options.target_metric.empty() && options.target_metric.size() != points.size())
-    throw Invalid_argument_error("there are " + std::to_string(options.target_metric.size()) + " target metrics for " +
-                                 std::to_string(points.size()) + " vertices");
-  if (!options.initial_field.empty() && options.initial_field.size() != points.size())
-    throw Invalid_argument_error("the initial field has " + std::to_string(options.initial_field.size()) +
-                                 " tensors for " + std::to_string(points.size()) + " vertices");
-  if (options.isotropic)
-    return Planar_field<3>(mesh, points, edges, options, evaluator).solve(gradients);
-  return Planar_field<5>(mesh, points, edges, options, evaluator).solve(gradients);
-}
 
 } // namespace internal
 } // namespace Quadrille

@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_ODECO_RESTRICTIONS_3_IMPL_H
 #define QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_ODECO_RESTRICTIONS_3_IMPL_H
 
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/Symmetric_tensors/internal/spherical_harmonics.h>
 #include <Quadrille/cross_harmonics.h>
 #include <Quadrille/odeco_tensors_2.h>
@@ -102,26 +103,26 @@ Odeco_restriction restriction_of_frame(const Eigen::Matrix3d& frame, double valu
 
 } // namespace internal
 
-inline double planar_part_scale() { return 16 / std::sqrt(315.0); }
+QUADRILLE_INLINE double planar_part_scale() { return 16 / std::sqrt(315.0); }
 
-inline Odeco_restriction unrestricted()
+QUADRILLE_INLINE Odeco_restriction unrestricted()
 {
   Odeco_restriction result;
   result.basis.setIdentity(15, 15);
   return result;
 }
 
-inline Odeco_restriction restriction_to_axis_of_frame(const Eigen::Matrix3d& frame, double value)
+QUADRILLE_INLINE Odeco_restriction restriction_to_axis_of_frame(const Eigen::Matrix3d& frame, double value)
 {
   return internal::restriction_of_frame(frame, value, {0, 1, 2, 3, 4});
 }
 
-inline Odeco_restriction restriction_to_axis(const Eigen::Vector3d& axis, double value)
+QUADRILLE_INLINE Odeco_restriction restriction_to_axis(const Eigen::Vector3d& axis, double value)
 {
   return restriction_to_axis_of_frame(internal::frame_of_axis(axis), value);
 }
 
-inline Odeco_restriction restriction_to_axis(const Eigen::Vector3d& axis)
+QUADRILLE_INLINE Odeco_restriction restriction_to_axis(const Eigen::Vector3d& axis)
 {
   Odeco_restriction result = restriction_to_axis(axis, 0);
   result.basis.conservativeResize(15, 6);
@@ -130,8 +131,8 @@ inline Odeco_restriction restriction_to_axis(const Eigen::Vector3d& axis)
   return result;
 }
 
-inline Odeco_restriction restriction_to_axes(const Eigen::Vector3d& first, double first_value,
-                                             const Eigen::Vector3d& second, double second_value)
+QUADRILLE_INLINE Odeco_restriction restriction_to_axes(const Eigen::Vector3d& first, double first_value,
+                                                       const Eigen::Vector3d& second, double second_value)
 {
   Odeco_restriction result;
   result.frame << second, first.cross(second), first;
@@ -141,8 +142,8 @@ inline Odeco_restriction restriction_to_axes(const Eigen::Vector3d& first, doubl
   return result;
 }
 
-inline Odeco_restriction restriction_to_axes(const Eigen::Vector3d& first, double first_value,
-                                             const Eigen::Vector3d& second)
+QUADRILLE_INLINE Odeco_restriction restriction_to_axes(const Eigen::Vector3d& first, double first_value,
+                                                       const Eigen::Vector3d& second)
 {
   Odeco_restriction result;
   result.frame << second, first.cross(second), first;
@@ -154,12 +155,12 @@ inline Odeco_restriction restriction_to_axes(const Eigen::Vector3d& first, doubl
   return result;
 }
 
-inline Odeco_restriction restriction_to_isotropic(const Eigen::Vector3d& axis, double value)
+QUADRILLE_INLINE Odeco_restriction restriction_to_isotropic(const Eigen::Vector3d& axis, double value)
 {
   return internal::restriction_of_frame(internal::frame_of_axis(axis), value, {0, 3, 4});
 }
 
-inline Odeco_restriction restriction_to_crosses()
+QUADRILLE_INLINE Odeco_restriction restriction_to_crosses()
 {
   Odeco_restriction result;
   result.offset = cross_tensor(Cross_harmonics::Zero()).harmonics();
@@ -168,7 +169,7 @@ inline Odeco_restriction restriction_to_crosses()
   return result;
 }
 
-inline Odeco_restriction restriction_to_crosses(const Eigen::Vector3d& axis)
+QUADRILLE_INLINE Odeco_restriction restriction_to_crosses(const Eigen::Vector3d& axis)
 {
   Odeco_restriction result = internal::restriction_of_frame(internal::frame_of_axis(axis), 1, {3, 4});
   const Spherical_harmonics round = internal::canonical_restrictions().planar.col(0);

@@ -5,6 +5,7 @@
 #define QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_ODECO_TENSORS_3_IMPL_H
 
 #include <Quadrille/Odeco_quadrics_3.h>
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/Symmetric_tensors/internal/Cross_seeds.h>
 #include <Quadrille/Symmetric_tensors/internal/Eigenpairs_3.h>
 #include <Quadrille/Symmetric_tensors/internal/Odeco_frame_search.h>
@@ -119,19 +120,19 @@ inline Orthogonal_frame_3 frame_of(const Odeco_frame_search& search, const Odeco
 
 } // namespace internal
 
-inline Symmetric_tensor_3 odeco_tensor(const Orthogonal_frame_3& frame)
+QUADRILLE_INLINE Symmetric_tensor_3 odeco_tensor(const Orthogonal_frame_3& frame)
 {
   return frame.values[0] * Symmetric_tensor_3::power(frame.axes.col(0)) +
          frame.values[1] * Symmetric_tensor_3::power(frame.axes.col(1)) +
          frame.values[2] * Symmetric_tensor_3::power(frame.axes.col(2));
 }
 
-inline Odeco_residuals_3 odeco_residuals(const Symmetric_tensor_3& tensor)
+QUADRILLE_INLINE Odeco_residuals_3 odeco_residuals(const Symmetric_tensor_3& tensor)
 {
   return Odeco_residuals_3(odeco_quadrics_3().values(internal::entry_array(tensor)).data());
 }
 
-inline Eigen::Matrix<double, 27, 15> odeco_residual_derivatives(const Symmetric_tensor_3& tensor)
+QUADRILLE_INLINE Eigen::Matrix<double, 27, 15> odeco_residual_derivatives(const Symmetric_tensor_3& tensor)
 {
   const auto rows = odeco_quadrics_3().jacobian(internal::entry_array(tensor));
   Eigen::Matrix<double, 27, 15> jacobian;
@@ -140,7 +141,7 @@ inline Eigen::Matrix<double, 27, 15> odeco_residual_derivatives(const Symmetric_
   return jacobian;
 }
 
-inline Symmetric_tensor_3 with_power(const Symmetric_tensor_3& tensor, int exponent)
+QUADRILLE_INLINE Symmetric_tensor_3 with_power(const Symmetric_tensor_3& tensor, int exponent)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(tensor.partial_trace());
   const Eigen::Vector3d powers =
@@ -161,8 +162,8 @@ inline Symmetric_tensor_3 with_power(const Symmetric_tensor_3& tensor, int expon
   return Symmetric_tensor_3(entries);
 }
 
-inline Symmetric_tensor_2 restricted_to_plane(const Symmetric_tensor_3& tensor, const Eigen::Vector3d& e1,
-                                              const Eigen::Vector3d& e2)
+QUADRILLE_INLINE Symmetric_tensor_2 restricted_to_plane(const Symmetric_tensor_3& tensor, const Eigen::Vector3d& e1,
+                                                        const Eigen::Vector3d& e2)
 {
   const Eigen::Matrix3d first = tensor.contract_twice(e1), second = tensor.contract_twice(e2);
   Symmetric_tensor_2::Entries entries;
@@ -170,7 +171,7 @@ inline Symmetric_tensor_2 restricted_to_plane(const Symmetric_tensor_3& tensor, 
   return Symmetric_tensor_2(entries);
 }
 
-inline Orthogonal_frame_3 nearest_odeco_frame(const Symmetric_tensor_3& tensor, Tensor_norm norm)
+QUADRILLE_INLINE Orthogonal_frame_3 nearest_odeco_frame(const Symmetric_tensor_3& tensor, Tensor_norm norm)
 {
   const internal::Odeco_projection projection(tensor, norm);
   const auto [first, second] = internal::odeco_seeds().best(projection);
@@ -185,8 +186,8 @@ inline Orthogonal_frame_3 nearest_odeco_frame(const Symmetric_tensor_3& tensor, 
   return internal::frame_of(other.objective() > search.objective() ? other : search, projection);
 }
 
-inline Orthogonal_frame_3 nearest_odeco_frame(const Symmetric_tensor_3& tensor, const Eigen::Matrix3d& start,
-                                              Tensor_norm norm)
+QUADRILLE_INLINE Orthogonal_frame_3 nearest_odeco_frame(const Symmetric_tensor_3& tensor, const Eigen::Matrix3d& start,
+                                                        Tensor_norm norm)
 {
   const internal::Odeco_projection projection(tensor, norm);
   internal::Odeco_frame_search search(projection.tensor, projection.mixed, start);
@@ -194,7 +195,7 @@ inline Orthogonal_frame_3 nearest_odeco_frame(const Symmetric_tensor_3& tensor, 
   return internal::frame_of(search, projection);
 }
 
-inline std::vector<std::pair<double, Eigen::Vector3d>> eigenpairs(const Symmetric_tensor_3& tensor)
+QUADRILLE_INLINE std::vector<std::pair<double, Eigen::Vector3d>> eigenpairs(const Symmetric_tensor_3& tensor)
 {
   return internal::Eigenpairs_3(tensor)();
 }
