@@ -7,7 +7,7 @@
 /// \file
 /// Packages are header-only. Large functions that are no templates are declared in one header and defined in another,
 /// which comes along unless QUADRILLE_SEPARATE_COMPILATION is defined; then the sources in the packages' folders `src`
-/// define them once for all. Our own executables are built so, in half the time.
+/// define them once for all. Our own executables are built so, in less time.
 #ifdef QUADRILLE_SEPARATE_COMPILATION
 #define QUADRILLE_INLINE
 #else
