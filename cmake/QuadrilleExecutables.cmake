@@ -46,19 +46,6 @@ function(quadrille_add_precompiled_header name)
     <vector>)
 endfunction()
 
-# The packages' functions that are no templates (see Support/internal/separate_compilation.h), compiled once for all
-# executables with the same precompiled header.
-function(quadrille_add_compiled_functions name precompiled) # [<library of the precompiled header>...]
-  set(sources "")
-  foreach(package IN LISTS QUADRILLE_PACKAGES)
-    file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${package}/src/*.cpp)
-    list(APPEND sources ${found})
-  endforeach()
-  add_library(${name} STATIC EXCLUDE_FROM_ALL ${sources})
-  target_link_libraries(${name} PUBLIC quadrille_executable ${ARGN})
-  target_precompile_headers(${name} REUSE_FROM ${precompiled})
-endfunction()
-
 # Energies of fields are evaluated for four triangles at a time, about 1.5 times as fast with these instructions. Results
 # are to be the same without them: so there are no fused multiply-adds, and Eigen, which would add up in another order,
 # must not notice. Programs that link packages decide by their own flags.
@@ -68,19 +55,22 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_CROSSCOMPILING)
   check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") ? 0 : 1; }" QUADRILLE_MACHINE_HAS_AVX2)
   set(QUADRILLE_HAS_AVX2 ${QUADRILLE_MACHINE_HAS_AVX2})
 endif()
-option(QUADRILLE_AVX2 "Build the program for processors with AVX2, as this machine has it" ${QUADRILLE_HAS_AVX2})
-
-# What executables are built for; tests are for all processors, so that both kinds of code are tried.
-function(quadrille_use_processor target)
-  if(QUADRILLE_AVX2)
-    target_compile_options(${target} PRIVATE -mavx2 -U__AVX__ -U__AVX2__ -DQUADRILLE_AVX)
-  endif()
-endfunction()
+option(QUADRILLE_AVX2 "Build executables for processors with AVX2, as this machine has it" ${QUADRILLE_HAS_AVX2})
+if(QUADRILLE_AVX2)
+  target_compile_options(quadrille_executable INTERFACE -mavx2 -U__AVX__ -U__AVX2__ -DQUADRILLE_AVX)
+endif()
 
 quadrille_add_precompiled_header(quadrille_precompiled)
-quadrille_use_processor(quadrille_precompiled)
-quadrille_add_compiled_functions(quadrille_precompiled_functions quadrille_precompiled)
-quadrille_use_processor(quadrille_precompiled_functions)
+
+# The packages' functions that are no templates (see Support/internal/separate_compilation.h).
+set(sources "")
+foreach(package IN LISTS QUADRILLE_PACKAGES)
+  file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${package}/src/*.cpp)
+  list(APPEND sources ${found})
+endforeach()
+add_library(quadrille_compiled_functions STATIC EXCLUDE_FROM_ALL ${sources})
+target_link_libraries(quadrille_compiled_functions PUBLIC quadrille_executable)
+target_precompile_headers(quadrille_compiled_functions REUSE_FROM quadrille_precompiled)
 
 # quadrille_add_executable(<name> SOURCES <file>... [LIBRARIES <target>...] [PRECOMPILED <target>])
 #
@@ -91,11 +81,8 @@ function(quadrille_add_executable name)
     set(arg_PRECOMPILED quadrille_precompiled)
   endif()
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_PRECOMPILED}_functions quadrille_executable ${arg_LIBRARIES})
+  target_link_libraries(${name} PRIVATE quadrille_compiled_functions ${arg_LIBRARIES})
   target_precompile_headers(${name} REUSE_FROM ${arg_PRECOMPILED})
-  if(arg_PRECOMPILED STREQUAL quadrille_precompiled)
-    quadrille_use_processor(${name})
-  endif()
   target_compile_definitions(${name} PRIVATE
     QUADRILLE_VERSION="${PROJECT_VERSION}"
     QUADRILLE_EXAMPLE_DATA="${PROJECT_SOURCE_DIR}/examples/data"

@@ -162,9 +162,10 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   std::vector<Candidate>& candidates = maps.candidates;
   Seamless_parametrization_options map_options = options.map;
   map_options.threads = 1; // the starts themselves run in parallel
-  const auto evaluate = maps.evaluator([&](const std::vector<Gradient_pair>& gradients, std::vector<Point_2>& uv) {
-    return integrate(domain, gradients, map_options, uv);
-  });
+  const Field_evaluator evaluate =
+      maps.cost([&](const std::vector<Gradient_pair>& gradients, std::vector<Point_2>& uv) {
+        return integrate(domain, gradients, map_options, uv);
+      });
   std::vector<Edge_frame_constraint> edge_constraints = constraints;
   result.gradients.resize(domain.mesh.number_of_faces());
   Odeco_field_options field_options = options.field;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace Quadrille {
@@ -60,23 +61,35 @@ void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_f
                           const Surface_pipeline_options& options, Surface_pipeline_result& result)
 {
   Start_maps<Mesh> maps(options.field.starts);
-  Seamless_parametrization_options map_options = options.map;
-  map_options.threads = 1; // the starts themselves run in parallel
-  const Field_evaluator evaluate =
-      maps.evaluator([&](const std::vector<Gradient_pair>& gradients, std::vector<Point_2>& uv) {
-        return integrate(domain, gradients, map_options, uv);
-      });
+  std::vector<double> poisson_errors(maps.candidates.size(), std::numeric_limits<double>::infinity());
+  const auto poisson_error = [&](std::size_t start, const std::vector<Gradient_pair>& gradients) {
+    Seamless_parametrization_options poisson = options.map;
+    poisson.untangle = false;
+    poisson.threads = 1; // the starts themselves run in parallel
+    std::vector<Point_2> corner_uv;
+    try {
+      poisson_errors[start] = integrate(domain, gradients, poisson, corner_uv).integration_error;
+    } catch (const No_result_error&) { // stays infinite
+    }
+    return poisson_errors[start];
+  };
+  const auto make_map = [&](const std::vector<Gradient_pair>& gradients, std::vector<Point_2>& corner_uv) {
+    return integrate(domain, gradients, options.map, corner_uv);
+  };
+  // Untangling takes much longer than the Poisson maps, and can only make their errors larger.
+  const Field_evaluator evaluator(poisson_error, maps.cost(make_map));
   std::vector<Edge_frame_constraint> edge_constraints = constraints;
   result.gradients.resize(domain.mesh.number_of_faces());
   result.field =
       odeco_surface_field(domain.mesh, domain.mesh.points(), vector_map(edge_constraints), vector_map(result.gradients),
-                          options.field, options.make_map ? evaluate : Field_evaluator());
-  result.smooth_integration_error = maps.smooth_integration_error();
+                          options.field, options.make_map ? evaluator : Field_evaluator());
+  if (std::isfinite(poisson_errors[0]))
+    result.smooth_integration_error = poisson_errors[0];
   find_singularities(domain, result);
   if (!options.make_map)
     return;
   Field_candidate<Mesh>& chosen = maps.candidates[std::size_t(result.field->chosen)];
-  result.map = chosen.map ? std::move(chosen.map) : integrate(domain, result.gradients, options.map, chosen.corner_uv);
+  result.map = chosen.map ? std::move(chosen.map) : make_map(result.gradients, chosen.corner_uv);
   result.corner_uv = std::move(chosen.corner_uv);
 }
 

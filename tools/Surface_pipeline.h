@@ -43,7 +43,7 @@ struct Surface_pipeline_result {
   /// Inner vertices that are singular, with their valences, by the field alone; and four times the sum of all indices.
   std::vector<std::pair<Surface_domain::vertex_descriptor, int>> singular_vertices;
   int quarter_index_sum = 0;
-  /// Integration error of the smooth field's map, the reference for the chosen one; negative if it has no map.
+  /// Integration error of the smooth field's Poisson map, the reference for the chosen one; negative if it has no map.
   double smooth_integration_error = -1;
   std::optional<Seamless_map<Mesh>> map;
   std::vector<Planar_domain::Point_2> corner_uv; ///< per halfedge: of the corner at its target
@@ -51,9 +51,9 @@ struct Surface_pipeline_result {
 };
 
 /// Field and map of a surface with the sizes of `constraints` (per edge). The field's starts are judged by the
-/// integration error of their maps. `result` is filled as far as the run gets, also when it throws.
-/// \throws No_result_error if the indices of the chosen field do not add up to the Euler characteristic, and as the
-/// stages do.
+/// integration errors of their untangled maps, of which no more are made than it takes to find the least. `result` is
+/// filled as far as the run gets, also when it throws. \throws No_result_error if the indices of the chosen field do
+/// not add up to the Euler characteristic, and as the stages do.
 void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
                           const Surface_pipeline_options& options, Surface_pipeline_result& result);
 

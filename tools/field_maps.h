@@ -47,8 +47,8 @@ template <class Mesh> struct Field_candidate {
   std::vector<Planar_domain::Point_2> corner_uv;
 };
 
-/// The maps of a field's starts, which they are judged by. Starts use different candidates, so that many can be judged
-/// at a time.
+/// The maps of a field's starts, which they are judged by; each has its candidate, so that many can be judged at a
+/// time.
 template <class Mesh> class Start_maps {
 public:
   std::vector<Field_candidate<Mesh>> candidates;
@@ -56,8 +56,8 @@ public:
   /// \param n_melted starts; there are a smooth and a relaxed one, too
   explicit Start_maps(int n_melted) : candidates(2 + std::size_t(n_melted > 0 ? n_melted : 0)) {}
 
-  /// `integrate(gradients, corner_uv)` makes the map. \returns a `Field_evaluator`
-  template <class Integrate> auto evaluator(const Integrate& integrate)
+  /// The cost of a start's map, which `integrate(gradients, corner_uv)` makes; infinite if there is none.
+  template <class Integrate> Field_evaluator::Cost cost(const Integrate& integrate)
   {
     return [this, integrate](std::size_t start, const std::vector<Gradient_pair>& gradients) -> double {
       Field_candidate<Mesh>& candidate = candidates[start];

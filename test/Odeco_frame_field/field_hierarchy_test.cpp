@@ -197,9 +197,7 @@ TEST(Field_hierarchy, melts_fine_fields_on_coarse_triangles)
   EXPECT_EQ(gradients[0], gradients[1]);
   EXPECT_EQ(gradients[0], gradients[2]);
 
-  const Planar_field<3>::Evaluator melted_only = [](std::size_t start, const Gradients&) {
-    return start < 2 ? 1e9 : 0;
-  };
+  const Field_evaluator melted_only = [](std::size_t start, const auto&) { return start < 2 ? 1e9 : 0; };
   Gradients melted;
   const Odeco_field_result coarse_to_fine =
       solve_planar_field(mesh.mesh, mesh.points, edges, options, melted_only, melted);

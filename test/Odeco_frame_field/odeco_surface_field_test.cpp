@@ -331,6 +331,57 @@ TEST(Odeco_surface_field, weak_constraints_are_met_as_far_as_nothing_is_against_
   }
 }
 
+/// Mean of |log(size / target)| over the faces of a square in space, without any constraint, whose target sizes are
+/// exp(x): frames that turn by y have them exactly.
+double error_of_conformal_sizes(int n, bool isotropic)
+{
+  const Space_triangles square =
+      moved(space_grid(n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0); }), some_rotation);
+  const auto target = [](const Eigen::Vector3d& p) { return 0.1 * std::exp((some_rotation.transpose() * p).x()); };
+  Surface_field_options options = quick(0);
+  options.isotropic = isotropic;
+  for (const Eigen::Vector3d& p : square.points)
+    options.target_size.push_back(target(p));
+  const Field field = surface_field(square, options);
+  double sum = 0;
+  for (std::size_t f = 0; f < square.faces.size(); ++f) {
+    const auto& t = square.faces[f];
+    const Eigen::Vector3d center =
+        (square.points[std::size_t(t[0])] + square.points[std::size_t(t[1])] + square.points[std::size_t(t[2])]) / 3;
+    for (const double length : {field.gradients[f].first.norm(), field.gradients[f].second.norm()})
+      sum += std::abs(std::log(length * target(center)));
+  }
+  return sum / double(2 * square.faces.size());
+}
+
+TEST(Odeco_surface_field, meets_target_sizes_that_are_integrable)
+{
+  for (const bool isotropic : {true, false}) {
+    const double coarse = error_of_conformal_sizes(6, isotropic), fine = error_of_conformal_sizes(12, isotropic);
+    EXPECT_LT(coarse, 0.01);
+    EXPECT_LT(fine, 0.35 * coarse);
+  }
+}
+
+TEST(Odeco_surface_field, confirms_no_more_costs_than_it_takes_to_find_the_least)
+{
+  const std::vector<double> estimates = {0, 3, 1, 2, 2.8}, costs = {0, 3.5, 10, 2.5, 2.9};
+  Surface_field_options options = quick(3);
+  options.size_deviation_weight = 0;
+  std::vector<std::size_t> confirmed;
+  const Field_evaluator evaluator([&](std::size_t start, const auto&) { return estimates[start]; },
+                                  [&](std::size_t start, const auto&) {
+                                    confirmed.push_back(start);
+                                    return costs[start];
+                                  });
+  const Field field = surface_field(torus(12, 6, 2, 1), options, {}, evaluator);
+  EXPECT_EQ(confirmed, (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(field.result.chosen, 3);
+  EXPECT_EQ(field.result.starts[2].cost, 10);
+  EXPECT_EQ(field.result.starts[3].cost, 2.5);
+  EXPECT_EQ(field.result.starts[4].cost, 2.8);
+}
+
 TEST(Odeco_surface_field, components_have_their_own_fields)
 {
   const Field field = surface_field(united(torus(16, 8, 2, 1), moved(cube(3), some_rotation, 0.5, {9, 0, 0})), quick(0),

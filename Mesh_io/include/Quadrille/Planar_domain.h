@@ -6,6 +6,7 @@
 
 #include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Triangulated_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -7,6 +7,7 @@
 #include <Quadrille/Frame_size.h>
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Triangulated_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <CGAL/Surface_mesh.h>
 

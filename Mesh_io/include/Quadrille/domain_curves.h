@@ -6,6 +6,7 @@
 
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Triangulated_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <string>
 #include <vector>

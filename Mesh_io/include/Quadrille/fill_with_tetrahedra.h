@@ -5,6 +5,7 @@
 #define QUADRILLE_FILL_WITH_TETRAHEDRA_H
 
 #include <Quadrille/Tetrahedral_mesh.h>
+#include <Quadrille/exceptions.h>
 
 #include <cstddef>
 #include <string>

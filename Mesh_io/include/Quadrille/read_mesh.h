@@ -5,6 +5,7 @@
 #define QUADRILLE_READ_MESH_H
 
 #include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/exceptions.h>
 
 #include <string>
 

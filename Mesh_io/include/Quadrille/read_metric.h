@@ -4,6 +4,8 @@
 #ifndef QUADRILLE_READ_METRIC_H
 #define QUADRILLE_READ_METRIC_H
 
+#include <Quadrille/exceptions.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>

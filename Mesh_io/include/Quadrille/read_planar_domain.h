@@ -5,6 +5,7 @@
 #define QUADRILLE_READ_PLANAR_DOMAIN_H
 
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <string>
 

@@ -6,6 +6,7 @@
 
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Surface_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <Eigen/Core>
 

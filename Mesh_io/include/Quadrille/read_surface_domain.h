@@ -5,6 +5,7 @@
 #define QUADRILLE_READ_SURFACE_DOMAIN_H
 
 #include <Quadrille/Surface_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <string>
 

@@ -5,6 +5,7 @@
 #define QUADRILLE_READ_TETRAHEDRAL_MESH_H
 
 #include <Quadrille/Tetrahedral_mesh.h>
+#include <Quadrille/exceptions.h>
 
 #include <string>
 

@@ -5,6 +5,7 @@
 #define QUADRILLE_REFINE_PLANAR_DOMAIN_H
 
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <array>
 #include <vector>

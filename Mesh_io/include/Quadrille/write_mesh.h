@@ -6,6 +6,7 @@
 
 #include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <array>
 #include <string>

@@ -5,6 +5,7 @@
 #define QUADRILLE_WRITE_VTU_H
 
 #include <Quadrille/Tetrahedral_mesh.h>
+#include <Quadrille/exceptions.h>
 
 #include <array>
 #include <string>

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,9 +35,26 @@ struct Edge_frame_constraint {
 /// The pair of gradients (du, dv) that a map should have on a face; sizes of elements are 1 / |du|, 1 / |dv|.
 using Gradient_pair = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 
-/// Judges a candidate field, given by its gradient pairs in the order of `faces(mesh)`: lower is better. `start` is the
-/// candidate's place in the result's `starts`. Called from several threads at once.
-using Field_evaluator = std::function<double(std::size_t start, const std::vector<Gradient_pair>&)>;
+/// Judges candidate fields.
+struct Field_evaluator {
+  /// What a candidate costs, lower is better. `start` is its place in the result's `starts`; it is given by its
+  /// gradient pairs in the order of `faces(mesh)`.
+  using Cost = std::function<double(std::size_t start, const std::vector<Gradient_pair>&)>;
+
+  Cost estimate; ///< of every candidate; called from several threads at once; empty: the field's energy
+  /// Where the true cost takes long: called for one candidate after the other, by growing estimates, until no estimate
+  /// of the others is below the least cost. Never less than the estimate. Empty: the estimate is the cost.
+  Cost confirm;
+
+  Field_evaluator() = default;
+  template <
+      class Function,
+      class = std::enable_if_t<std::is_invocable_r_v<double, Function, std::size_t, const std::vector<Gradient_pair>&>>>
+  Field_evaluator(Function cost) : estimate(std::move(cost))
+  {
+  }
+  Field_evaluator(Cost estimate, Cost confirm) : estimate(std::move(estimate)), confirm(std::move(confirm)) {}
+};
 
 namespace internal {
 

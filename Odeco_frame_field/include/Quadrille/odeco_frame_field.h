@@ -7,6 +7,7 @@
 #include <Quadrille/Frame_edge_constraints.h>
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/solve_planar_field.h>
+#include <Quadrille/exceptions.h>
 
 #include <boost/property_map/property_map.hpp>
 

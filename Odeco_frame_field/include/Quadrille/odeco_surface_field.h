@@ -7,6 +7,7 @@
 #include <Quadrille/Frame_edge_constraints.h>
 #include <Quadrille/Odeco_frame_field/internal/solve_surface_field.h>
 #include <Quadrille/Surface_field_options.h>
+#include <Quadrille/exceptions.h>
 
 #include <Eigen/Core>
 

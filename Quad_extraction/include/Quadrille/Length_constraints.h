@@ -8,6 +8,7 @@
 #include <Quadrille/Quad_extraction/internal/Collapse_check.h>
 #include <Quadrille/Quad_extraction/internal/layout_sums.h>
 #include <Quadrille/Quad_layout.h>
+#include <Quadrille/exceptions.h>
 
 #include <limits>
 #include <utility>

@@ -7,6 +7,7 @@
 #include <Quadrille/Length_constraints.h>
 #include <Quadrille/Quad_layout.h>
 #include <Quadrille/Quantization.h>
+#include <Quadrille/exceptions.h>
 
 #include <limits>
 

@@ -5,6 +5,7 @@
 #define QUADRILLE_FRAME_FIELD_TOPOLOGY_H
 
 #include <Quadrille/Planar_tangent_traits.h>
+#include <Quadrille/exceptions.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -7,6 +7,7 @@
 #include <Quadrille/Cholesky_solver.h>
 #include <Quadrille/Planar_tangent_traits.h>
 #include <Quadrille/Seamless_parametrization_options.h>
+#include <Quadrille/exceptions.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -4,6 +4,8 @@
 #ifndef QUADRILLE_CHOLESKY_SOLVER_H
 #define QUADRILLE_CHOLESKY_SOLVER_H
 
+#include <Quadrille/exceptions.h>
+
 #include <Eigen/SparseCore>
 
 #ifdef QUADRILLE_WITH_CHOLMOD

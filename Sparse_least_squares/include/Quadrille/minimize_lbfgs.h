@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_MINIMIZE_LBFGS_H
 #define QUADRILLE_MINIMIZE_LBFGS_H
 
+#include <Quadrille/exceptions.h>
 #include <Quadrille/minimize_least_squares.h>
 
 #ifdef QUADRILLE_WITH_ALGLIB

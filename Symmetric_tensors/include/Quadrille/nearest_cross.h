@@ -44,6 +44,8 @@ Eigen::Matrix3d cross_of_eigentensors(const Symmetric_tensor_3& tensor);
 
 } // namespace Quadrille
 
+#ifndef QUADRILLE_SEPARATE_COMPILATION
 #include <Quadrille/Symmetric_tensors/internal/nearest_cross_impl.h>
+#endif
 
 #endif

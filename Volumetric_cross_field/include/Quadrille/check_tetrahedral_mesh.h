@@ -4,6 +4,8 @@
 #ifndef QUADRILLE_CHECK_TETRAHEDRAL_MESH_H
 #define QUADRILLE_CHECK_TETRAHEDRAL_MESH_H
 
+#include <Quadrille/exceptions.h>
+
 #include <Quadrille/Volumetric_cross_field/internal/Tetrahedral_mesh_checker.h>
 
 namespace Quadrille {

@@ -8,6 +8,7 @@
 #include <Quadrille/Metric_field.h>
 #include <Quadrille/Progress_observer.h>
 #include <Quadrille/align_with_boundary.h>
+#include <Quadrille/exceptions.h>
 
 #include <Eigen/Core>
 

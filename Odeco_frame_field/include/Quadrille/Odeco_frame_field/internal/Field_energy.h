@@ -39,6 +39,7 @@ class Field_energy
 public:
   static constexpr int first_odeco = Field_energy_rows<N, kind>::first_odeco,
                        first_size = Field_energy_rows<N, kind>::first_size;
+  static constexpr double final_decrease = 1e-4;
 
   /// `relative_epsilon` is in units of the elements' sizes.
   Field_energy(const Field_elements<N>& elements, double relative_epsilon)
@@ -164,6 +165,17 @@ private:
   double m_target_attraction = 0;
   double m_grading_attraction = 0;
 };
+
+#ifdef QUADRILLE_SEPARATE_COMPILATION
+extern template class Triangle_energy<Field_energy<3, Field_energy_kind::smoothness>, Field_elements<3>,
+                                      Field_energy_rows<3, Field_energy_kind::smoothness>::count>;
+extern template class Triangle_energy<Field_energy<3, Field_energy_kind::integrability>, Field_elements<3>,
+                                      Field_energy_rows<3, Field_energy_kind::integrability>::count>;
+extern template class Triangle_energy<Field_energy<5, Field_energy_kind::smoothness>, Field_elements<5>,
+                                      Field_energy_rows<5, Field_energy_kind::smoothness>::count>;
+extern template class Triangle_energy<Field_energy<5, Field_energy_kind::integrability>, Field_elements<5>,
+                                      Field_energy_rows<5, Field_energy_kind::integrability>::count>;
+#endif
 
 } // namespace internal
 } // namespace Quadrille

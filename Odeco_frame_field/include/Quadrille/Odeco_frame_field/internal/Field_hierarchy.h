@@ -52,15 +52,15 @@ public:
 
   /// Fields are melted with about `schedule.coarse_triangles`, or on the given triangles where there are fewer than
   /// twice as many, and relaxed from about `schedule.relax_triangles` on. `elements` are those of `mesh`.
-  /// `make_solver(level, schedule)` returns a pointer to the solver of a coarser field.
+  /// `melts`: some will be melted. `make_solver(level, schedule)` returns a pointer to the solver of a coarser field.
   template <class Make_solver>
-  Field_hierarchy(const Mesh& mesh, const Elements& elements, const Melt_and_freeze_schedule& schedule,
+  Field_hierarchy(const Mesh& mesh, const Elements& elements, const Melt_and_freeze_schedule& schedule, bool melts,
                   const Make_solver& make_solver)
       : m_finest(mesh), m_finest_elements(elements), m_schedule(schedule)
   {
     add_levels(m_schedule.coarse_triangles, make_solver);
     m_melted = m_levels.size();
-    if (m_melted > 0)
+    if (melts && m_melted > 0)
       m_smooth = m_solvers.back()->smooth_field();
     if (Level::relaxes_from_coarse)
       add_levels(m_schedule.relax_triangles, make_solver);
@@ -70,7 +70,7 @@ public:
   bool can_relax() const { return Level::relaxes_from_coarse && !m_levels.empty(); }
 
   /// A melted and frozen field of the finest elements, whose `solver` takes the last steps. Adds to `iterations` what
-  /// the coarse levels needed. \pre can_melt()
+  /// the coarse levels needed. \pre can_melt(), and the hierarchy was made to melt fields
   Eigen::VectorXd melt_and_freeze(std::uint64_t seed, Solver& solver, int& iterations) const
   {
     Solver coarse(*m_solvers[m_melted - 1], 1);

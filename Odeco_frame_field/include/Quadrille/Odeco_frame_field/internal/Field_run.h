@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_RUN_H
 #define QUADRILLE_ODECO_FRAME_FIELD_INTERNAL_FIELD_RUN_H
 
+#include <Quadrille/Frame_edge_constraints.h>
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/Field_hierarchy.h>
 #include <Quadrille/Odeco_frame_field/internal/check_field_arguments.h>
@@ -38,13 +39,13 @@ inline bool recover_frame_of_area(const Circular_harmonics& q, Orthogonal_frame_
 /// frame of every face or nothing if a size is not positive, and `gradients_of(frame)`, the original gradient pair.
 template <class Derived, class Level> class Field_run {
 public:
-  using Evaluator = std::function<double(std::size_t, const Gradients&)>;
   using Mesh = typename Level::Mesh;
   using Elements = typename Level::Elements;
   using Solver = typename Level::Solver;
 
 protected:
-  Field_run(const Field_run_options& options, const Evaluator& evaluator) : m_options(options), m_evaluator(evaluator)
+  Field_run(const Field_run_options& options, const Field_evaluator& evaluator)
+      : m_options(options), m_evaluator(evaluator)
   {
   }
 
@@ -61,7 +62,7 @@ protected:
       return;
     const bool needs_levels = n_melted > 0 || (Level::relaxes_from_coarse && !is_reference);
     const auto hierarchy = needs_levels ? std::make_unique<Field_hierarchy<Level>>(
-                                              mesh, elements, m_options.schedule,
+                                              mesh, elements, m_options.schedule, n_melted > 0,
                                               [this](const Level& level, const Melt_and_freeze_schedule& schedule) {
                                                 return derived().make_level_solver(level, schedule);
                                               })
@@ -93,7 +94,7 @@ protected:
     start.cost = std::numeric_limits<double>::infinity();
     if (start.valid) {
       start.size_deviation = size_deviation(elements, frames);
-      start.cost = (m_evaluator ? m_evaluator(i, gradients_of_frames(frames)) : start.energy) +
+      start.cost = (m_evaluator.estimate ? m_evaluator.estimate(i, gradients_of_frames(frames)) : start.energy) +
                    m_options.size_deviation_weight * start.size_deviation;
     }
     start.seconds = watch.seconds();
@@ -103,8 +104,8 @@ protected:
   /// Fills `result` with what is the same in the plane and on surfaces. \returns the unknowns of the chosen start
   const Eigen::VectorXd& choose_start(Field_run_result& result, Gradients& gradients)
   {
+    result.chosen = m_evaluator.confirm ? best_confirmed_start() : best_start(m_starts);
     result.starts = m_starts;
-    result.chosen = best_start(m_starts);
     for (const Field_start& start : m_starts)
       result.iterations += start.iterations;
     result.energy = m_starts[std::size_t(result.chosen)].energy;
@@ -114,6 +115,23 @@ protected:
   }
 
 private:
+  /// Costs grow when they are confirmed, so the best start is the first to be confirmed and still the best.
+  int best_confirmed_start()
+  {
+    std::vector<char> is_confirmed(m_starts.size(), 0);
+    for (;;) {
+      const int best = best_start(m_starts);
+      const auto i = std::size_t(best);
+      if (is_confirmed[i])
+        return best;
+      is_confirmed[i] = 1;
+      const Stopwatch watch;
+      m_starts[i].cost = m_evaluator.confirm(i, gradients_of_frames(derived().face_frames(m_fields[i]))) +
+                         m_options.size_deviation_weight * m_starts[i].size_deviation;
+      m_starts[i].seconds += watch.seconds();
+    }
+  }
+
   void compute_smooth_start(const Elements& elements, const Solver& analyzed)
   {
     const Stopwatch watch;
@@ -179,7 +197,7 @@ private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
   const Field_run_options& m_options;
-  const Evaluator& m_evaluator;
+  const Field_evaluator& m_evaluator;
 
 protected:
   std::vector<Field_start> m_starts;

@@ -44,8 +44,8 @@ inline Melt_and_freeze_schedule melt_and_freeze_schedule_for(Melt_and_freeze_sch
 }
 
 /// Minimises the integrability energy of one field, in the plane or on a surface; every method starts from, and
-/// returns, a vector of unknowns. `Energy` is a `Triangle_energy` with an epsilon, and with attractions that lead
-/// melted fields.
+/// returns, a vector of unknowns. `Energy` is a `Triangle_energy` with an epsilon, with attractions that lead
+/// melted fields, and with the `final_decrease` of the energy per step, relative to it, at which a field is done.
 template <class Energy> class Melting_solver {
 public:
   using Elements = typename Energy::Field;
@@ -120,7 +120,7 @@ public:
     m_integrability.set_relative_epsilon(m_schedule.final_epsilon);
     Levenberg_marquardt_options options;
     options.max_iterations = m_schedule.final_steps;
-    options.relative_decrease = 1e-4;
+    options.relative_decrease = Energy::final_decrease;
     minimize(m_integrable_problem, x, options);
   }
 

@@ -50,11 +50,9 @@ template <int N> class Planar_field : public Field_run<Planar_field<N>, Planar_l
   using Base = Field_run<Planar_field<N>, Planar_level<N>>;
 
 public:
-  using Evaluator = typename Base::Evaluator;
-
   Planar_field(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector2d>& points,
                const std::vector<Constrained_halfedge>& edges, const Odeco_field_options& options,
-               const Evaluator& evaluator)
+               const Field_evaluator& evaluator)
       : Base(options, evaluator), m_options(options), m_position(canonical_position(mesh, points, edges)),
         m_mesh(canonical_mesh(mesh, points, edges)), m_elements(make_elements())
   {

@@ -29,11 +29,9 @@ template <int N> class Surface_field : public Field_run<Surface_field<N>, Surfac
   using Base = Field_run<Surface_field<N>, Surface_level<N>>;
 
 public:
-  using Evaluator = typename Base::Evaluator;
-
   Surface_field(const Indexed_triangulation& mesh, const std::vector<Eigen::Vector3d>& points,
                 const std::vector<Constrained_halfedge>& edges, const Surface_field_options& options,
-                const Evaluator& evaluator)
+                const Field_evaluator& evaluator)
       : Base(options, evaluator), m_options(options), m_position(canonical_position(mesh, points, edges)),
         m_problem(canonical_surface(mesh, points, edges), canonical_targets()),
         m_elements(make_surface_elements<N>(m_problem, restrict_surface<N>(m_problem.constraints),

@@ -41,57 +41,8 @@ public:
     return m_elements->element_unknowns(e, index);
   }
 
-  bool evaluate(std::size_t e, const Unknowns& x, Residuals& r, Jacobian* J) const
-  {
-    typename Elements::template Triangle<double> triangle;
-    m_elements->load(e, 1, &x, triangle);
-    if (!J) {
-      typename Elements::template Value_rows<double, max_residuals> rows(triangle);
-      if (!energy().add_rows(triangle, rows))
-        return false;
-      r = Eigen::Map<const Residuals>(rows.values().values);
-      return true;
-    }
-    typename Elements::template Jacobian_rows<double, max_residuals> rows(triangle);
-    if (!energy().add_rows(triangle, rows))
-      return false;
-    r = Eigen::Map<const Residuals>(rows.values().values);
-    Jacobian by_coefficients;
-    for (int i = 0; i < max_residuals; ++i)
-      by_coefficients.row(i) = Eigen::Map<const Unknowns>(rows.derivatives()[i].values).transpose();
-    m_elements->restrict_columns(e, by_coefficients, *J);
-    return true;
-  }
-
-  bool evaluate_batch(std::size_t first, int count, const Unknowns* x, Detail detail, Contribution* results) const
-  {
-    typename Elements::template Triangle<Pack> triangle;
-    m_elements->load(first, count, x, triangle);
-    if (detail == Detail::energy) {
-      typename Elements::template Value_rows<Pack, max_residuals> rows(triangle);
-      if (!energy().add_rows(triangle, rows))
-        return false;
-      const Pack twice_energy = dot(rows.values(), rows.values());
-      for (int i = 0; i < count; ++i)
-        results[i].energy = 0.5 * twice_energy.lane(i);
-      return true;
-    }
-    if (detail == Detail::gradient) {
-      typename Elements::template Gradient_rows<Pack> rows(triangle);
-      if (!energy().add_rows(triangle, rows))
-        return false;
-      keep_gradients(first, count, rows, results);
-      return true;
-    }
-    typename Elements::template Normal_rows<Pack> rows(triangle);
-    if (!energy().add_rows(triangle, rows))
-      return false;
-    keep_gradients(first, count, rows, results);
-    const auto& matrix = rows.matrix();
-    for (int i = 0; i < count; ++i)
-      keep_matrix(first + std::size_t(i), i, matrix, results[i]);
-    return true;
-  }
+  bool evaluate(std::size_t e, const Unknowns& x, Residuals& r, Jacobian* J) const;
+  bool evaluate_batch(std::size_t first, int count, const Unknowns* x, Detail detail, Contribution* results) const;
 
 protected:
   explicit Triangle_energy(const Elements& elements) : m_elements(&elements) {}
@@ -136,6 +87,65 @@ private:
 
   const Elements* m_elements;
 };
+
+// Defined outside of the class, so that they can be compiled separately.
+
+template <class Energy, class Elements, int rows_per_triangle>
+bool Triangle_energy<Energy, Elements, rows_per_triangle>::evaluate(std::size_t e, const Unknowns& x, Residuals& r,
+                                                                    Jacobian* J) const
+{
+  typename Elements::template Triangle<double> triangle;
+  m_elements->load(e, 1, &x, triangle);
+  if (!J) {
+    typename Elements::template Value_rows<double, max_residuals> rows(triangle);
+    if (!energy().add_rows(triangle, rows))
+      return false;
+    r = Eigen::Map<const Residuals>(rows.values().values);
+    return true;
+  }
+  typename Elements::template Jacobian_rows<double, max_residuals> rows(triangle);
+  if (!energy().add_rows(triangle, rows))
+    return false;
+  r = Eigen::Map<const Residuals>(rows.values().values);
+  Jacobian by_coefficients;
+  for (int i = 0; i < max_residuals; ++i)
+    by_coefficients.row(i) = Eigen::Map<const Unknowns>(rows.derivatives()[i].values).transpose();
+  m_elements->restrict_columns(e, by_coefficients, *J);
+  return true;
+}
+
+template <class Energy, class Elements, int rows_per_triangle>
+bool Triangle_energy<Energy, Elements, rows_per_triangle>::evaluate_batch(std::size_t first, int count,
+                                                                          const Unknowns* x, Detail detail,
+                                                                          Contribution* results) const
+{
+  typename Elements::template Triangle<Pack> triangle;
+  m_elements->load(first, count, x, triangle);
+  if (detail == Detail::energy) {
+    typename Elements::template Value_rows<Pack, max_residuals> rows(triangle);
+    if (!energy().add_rows(triangle, rows))
+      return false;
+    const Pack twice_energy = dot(rows.values(), rows.values());
+    for (int i = 0; i < count; ++i)
+      results[i].energy = 0.5 * twice_energy.lane(i);
+    return true;
+  }
+  if (detail == Detail::gradient) {
+    typename Elements::template Gradient_rows<Pack> rows(triangle);
+    if (!energy().add_rows(triangle, rows))
+      return false;
+    keep_gradients(first, count, rows, results);
+    return true;
+  }
+  typename Elements::template Normal_rows<Pack> rows(triangle);
+  if (!energy().add_rows(triangle, rows))
+    return false;
+  keep_gradients(first, count, rows, results);
+  const auto& matrix = rows.matrix();
+  for (int i = 0; i < count; ++i)
+    keep_matrix(first + std::size_t(i), i, matrix, results[i]);
+  return true;
+}
 
 } // namespace internal
 } // namespace Quadrille

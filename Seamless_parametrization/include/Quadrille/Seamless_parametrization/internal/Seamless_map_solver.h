@@ -70,49 +70,12 @@ public:
   /// Matchings, alignments and quadrants of the frames, repaired where `options` allow it.
   /// \throws No_result_error if a sector has no quadrant.
   Frame_topology topology(const std::vector<Gradient_pair>& gradients,
-                          const Seamless_parametrization_options& options = {}) const
-  {
-    Frame_topology topology = Frame_topology_builder(m_mesh, m_geometry, m_constrained, gradients)();
-    std::vector<int> missing;
-    if (options.repair_corners)
-      missing = Quadrant_repair(m_mesh, topology)();
-    else
-      for (std::size_t s = 0; s < topology.sectors.size(); ++s)
-        if (topology.sectors[s].quadrants < 1)
-          missing.push_back(int(s));
-    if (!missing.empty()) {
-      const Frame_topology::Sector& sector = topology.sectors[std::size_t(missing.front())];
-      throw No_result_error("map", "the frames turn by " + std::to_string(sector.quadrants) +
-                                       " quarters in a corner of vertex " + std::to_string(sector.vertex) +
-                                       ", where a quadrilateral needs at least one (" + std::to_string(missing.size()) +
-                                       " such corners in all)");
-    }
-    return topology;
-  }
+                          const Seamless_parametrization_options& options = {}) const;
 
   /// Complexity: near-linear but for the Cholesky factorisation, O(n^1.5).
   /// \throws No_result_error if there is no map with these frames; flipped faces do not count as that.
   Seamless_map_data operator()(const std::vector<Gradient_pair>& gradients,
-                               const Seamless_parametrization_options& options = {}) const
-  {
-    const auto start = std::chrono::steady_clock::now();
-    constexpr int max_moves = 16; // each leaves about three quarters of the distance
-    Seamless_map_data map;
-    map.topology = topology(gradients, options);
-    for (int moves = 0;; ++moves) {
-      const bool may_move = options.untangle && options.move_singularities && moves < max_moves;
-      compute(gradients, options, may_move, map);
-      if (!may_move || !map.flipped_faces.empty() || map.misturned_vertices.empty())
-        break;
-      const int n_moved =
-          Singularity_mover(m_mesh, map.topology)(map.misturned_vertices, turned_quadrants(m_mesh, map.uv));
-      if (n_moved == 0)
-        break;
-      map.moved_singularities += n_moved;
-    }
-    map.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return map;
-  }
+                               const Seamless_parametrization_options& options = {}) const;
 
 private:
   /// The map with the given topology. `stop_misturned`: see `untangle`.
@@ -284,6 +247,57 @@ private:
   Tangent_geometry m_geometry;
   std::vector<char> m_constrained;
 };
+
+// Defined outside of the class, so that they can be compiled separately.
+
+template <class Solver>
+Frame_topology Seamless_map_solver<Solver>::topology(const std::vector<Gradient_pair>& gradients,
+                                                     const Seamless_parametrization_options& options) const
+{
+  Frame_topology topology = Frame_topology_builder(m_mesh, m_geometry, m_constrained, gradients)();
+  std::vector<int> missing;
+  if (options.repair_corners)
+    missing = Quadrant_repair(m_mesh, topology)();
+  else
+    for (std::size_t s = 0; s < topology.sectors.size(); ++s)
+      if (topology.sectors[s].quadrants < 1)
+        missing.push_back(int(s));
+  if (!missing.empty()) {
+    const Frame_topology::Sector& sector = topology.sectors[std::size_t(missing.front())];
+    throw No_result_error("map", "the frames turn by " + std::to_string(sector.quadrants) +
+                                     " quarters in a corner of vertex " + std::to_string(sector.vertex) +
+                                     ", where a quadrilateral needs at least one (" + std::to_string(missing.size()) +
+                                     " such corners in all)");
+  }
+  return topology;
+}
+
+template <class Solver>
+Seamless_map_data Seamless_map_solver<Solver>::operator()(const std::vector<Gradient_pair>& gradients,
+                                                          const Seamless_parametrization_options& options) const
+{
+  const auto start = std::chrono::steady_clock::now();
+  constexpr int max_moves = 16; // each leaves about three quarters of the distance
+  Seamless_map_data map;
+  map.topology = topology(gradients, options);
+  for (int moves = 0;; ++moves) {
+    const bool may_move = options.untangle && options.move_singularities && moves < max_moves;
+    compute(gradients, options, may_move, map);
+    if (!may_move || !map.flipped_faces.empty() || map.misturned_vertices.empty())
+      break;
+    const int n_moved =
+        Singularity_mover(m_mesh, map.topology)(map.misturned_vertices, turned_quadrants(m_mesh, map.uv));
+    if (n_moved == 0)
+      break;
+    map.moved_singularities += n_moved;
+  }
+  map.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return map;
+}
+
+#ifdef QUADRILLE_SEPARATE_COMPILATION
+extern template class Seamless_map_solver<Cholesky_solver>;
+#endif
 
 } // namespace internal
 } // namespace Quadrille

@@ -51,7 +51,7 @@ void Element_least_squares<Term>::evaluate(std::size_t first, std::size_t n, con
     if (!m_term.evaluate_batch(first, int(n), local, detail, results))
       results[0].energy = outside;
   } else {
-    const int count = m_pattern->count(first);
+    const int count = std::min(m_pattern->count(first), Term::max_unknowns); // compilers do not know
     const Unknowns local = local_unknowns(first, x);
     Residuals r;
     Jacobian J;

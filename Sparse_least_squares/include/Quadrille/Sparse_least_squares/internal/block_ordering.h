@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,26 @@ inline std::vector<int> unknown_blocks(const Eigen::SparseMatrix<double>& lower)
   return blocks;
 }
 
+/// CHOLMOD's analysis of the graph of blocks. CHOLMOD itself would try nested dissection by the work that the graph's
+/// own factor takes; a factor whose blocks have five unknowns takes a hundred times as much. Measured on surfaces: the
+/// same work as by minimum degree for 3,000 blocks, 1.5 times less for 12,500 and 2.4 times less for 50,000.
+inline Cholmod_factor analyze_blocks(cholmod_sparse& graph)
+{
+  constexpr std::size_t blocks_to_dissect = 5000;
+  Cholmod_common common;
+  common.supernodal = CHOLMOD_SIMPLICIAL; // the cheapest analysis
+  if (graph.ncol < blocks_to_dissect)
+    return Cholmod_factor(cholmod_analyze(&graph, &common));
+  common.nmethods = 2; // of which CHOLMOD takes the better one
+  common.method[0].ordering = CHOLMOD_AMD;
+  common.method[1].ordering = CHOLMOD_NESDIS;
+  // METIS draws from the one sequence of random numbers that the process has, always from its beginning: in turns, so
+  // that the order does not depend on what other threads do.
+  static std::mutex turn;
+  const std::lock_guard<std::mutex> lock(turn);
+  return Cholmod_factor(cholmod_analyze(&graph, &common));
+}
+
 /// A postordered fill-reducing elimination order of the unknowns of a matrix given by its sorted lower triangle: place
 /// i holds the unknown that is eliminated as the i-th.
 ///
@@ -81,9 +102,7 @@ inline std::vector<int> block_elimination_order(const Eigen::SparseMatrix<double
   }
   cholmod_sparse graph = lower_triangle(n_blocks, outer.data(), inner.data(), nullptr);
 
-  Cholmod_common common;
-  common.supernodal = CHOLMOD_SIMPLICIAL; // the cheapest analysis
-  const Cholmod_factor factor(cholmod_analyze(&graph, &common));
+  const Cholmod_factor factor = analyze_blocks(graph);
   check_analysis(factor, n_blocks);
   const int* order_of_blocks = static_cast<const int*>(factor->Perm);
   std::vector<int> order;

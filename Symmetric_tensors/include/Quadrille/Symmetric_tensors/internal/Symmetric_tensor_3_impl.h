@@ -6,8 +6,6 @@
 
 #include <Quadrille/Symmetric_tensors/internal/spherical_harmonics.h>
 
-#include <Eigen/LU>
-
 #include <array>
 #include <cmath>
 
@@ -133,7 +131,7 @@ inline const Eigen::Matrix<double, 15, 15>& Symmetric_tensor_3::entries_of_harmo
 
 inline const Eigen::Matrix<double, 15, 15>& Symmetric_tensor_3::harmonics_of_entries()
 {
-  static const Eigen::Matrix<double, 15, 15> matrix = entries_of_harmonics().partialPivLu().inverse();
+  static const Eigen::Matrix<double, 15, 15> matrix = internal::make_spherical_harmonics_of_entries();
   return matrix;
 }
 

@@ -4,8 +4,10 @@
 #ifndef QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_NEAREST_CROSS_IMPL_H
 #define QUADRILLE_SYMMETRIC_TENSORS_INTERNAL_NEAREST_CROSS_IMPL_H
 
+#include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/Symmetric_tensors/internal/Cross_newton.h>
 #include <Quadrille/Symmetric_tensors/internal/Cross_seeds.h>
+#include <Quadrille/nearest_cross.h>
 #include <Quadrille/parallel_for.h>
 
 #include <Eigen/Eigenvalues>
@@ -99,14 +101,14 @@ inline void nearest_crosses(const Cross_harmonics& p, const Cross_harmonics& q, 
 
 } // namespace internal
 
-inline Nearest_cross nearest_cross(const Cross_harmonics& q)
+QUADRILLE_INLINE Nearest_cross nearest_cross(const Cross_harmonics& q)
 {
   Nearest_cross result, same;
   internal::nearest_crosses(q, q, result, same);
   return result;
 }
 
-inline std::vector<Nearest_cross> nearest_crosses(const std::vector<Cross_harmonics>& q, int threads)
+QUADRILLE_INLINE std::vector<Nearest_cross> nearest_crosses(const std::vector<Cross_harmonics>& q, int threads)
 {
   std::vector<Nearest_cross> result(q.size());
   parallel_for((q.size() + 1) / 2, threads, [&](std::size_t i) {
@@ -116,12 +118,12 @@ inline std::vector<Nearest_cross> nearest_crosses(const std::vector<Cross_harmon
   return result;
 }
 
-inline Nearest_cross nearest_cross(const Cross_harmonics& q, const Eigen::Matrix3d& start)
+QUADRILLE_INLINE Nearest_cross nearest_cross(const Cross_harmonics& q, const Eigen::Matrix3d& start)
 {
   return internal::polished(q, start, internal::max_steps);
 }
 
-inline Eigen::Matrix3d cross_of_eigentensors(const Symmetric_tensor_3& tensor)
+QUADRILLE_INLINE Eigen::Matrix3d cross_of_eigentensors(const Symmetric_tensor_3& tensor)
 {
   const Eigen::SelfAdjointEigenSolver<Symmetric_tensor_3::Mandel_matrix> eigentensors(tensor.mandel());
   // Weights of which no two are equal for any turn of the three among themselves, practically.

@@ -9,6 +9,7 @@
 #include <Quadrille/Volumetric_cross_field/internal/Cross_energy_newton.h>
 #include <Quadrille/Volumetric_cross_field/internal/Field_graph.h>
 #include <Quadrille/Volumetric_cross_field/internal/coarsen_field_graph.h>
+#include <Quadrille/Volumetric_cross_field/internal/solve_field_graph.h>
 #include <Quadrille/nearest_cross.h>
 
 #include <Eigen/Core>
@@ -18,19 +19,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace Quadrille {
 namespace internal {
-
-/// A field on a graph.
-struct Frames_and_crosses {
-  std::vector<Eigen::Matrix3d> frames;
-  std::vector<Cross_harmonics> crosses;
-
-  explicit Frames_and_crosses(std::size_t n = 0) : frames(n, Eigen::Matrix3d::Identity()), crosses(n) {}
-};
 
 /// Minimises the energy from coarse to fine: on the coarsest graph from the harmonic extension of the alignments (or at
 /// random), then on each finer one from the field of the coarser.
@@ -40,18 +32,14 @@ struct Frames_and_crosses {
 /// more. Newton's method then finds the minimum.
 class Multilevel_field_solver {
 public:
-  struct Counters {
-    std::size_t levels = 0, diffusions = 0, diffusion_passes = 0, newton_steps = 0, conjugate_gradients = 0;
-  };
-  /// Told after each step on the finest level; returns whether the field has settled.
-  using Has_settled = std::function<bool(const Frames_and_crosses&, const Cross_energy_newton::Step&)>;
+  using Counters = Field_graph_counters;
 
   Multilevel_field_solver(const Field_graph& graph, std::uint64_t seed, int threads, const Progress_observer& progress)
       : m_finest(graph), m_seed(seed), m_threads(threads), m_progress(progress)
   {
   }
 
-  Frames_and_crosses solve(int max_newton_steps, const Has_settled& has_settled)
+  Frames_and_crosses solve(int max_newton_steps, const Field_has_settled& has_settled)
   {
     std::vector<Coarse_field_graph> coarser;
     const auto graph = [&](std::size_t level) -> const Field_graph& {
@@ -235,6 +223,16 @@ private:
   Counters m_counters;
   double m_work = 0, m_done = 0; ///< steps times vertices
 };
+
+QUADRILLE_INLINE Frames_and_crosses solve_field_graph(const Field_graph& graph, std::uint64_t seed, int threads,
+                                                      int max_newton_steps, const Field_has_settled& has_settled,
+                                                      const Progress_observer& progress, Field_graph_counters& counters)
+{
+  Multilevel_field_solver solver(graph, seed, threads, progress);
+  Frames_and_crosses field = solver.solve(max_newton_steps, has_settled);
+  counters = solver.counters();
+  return field;
+}
 
 } // namespace internal
 } // namespace Quadrille

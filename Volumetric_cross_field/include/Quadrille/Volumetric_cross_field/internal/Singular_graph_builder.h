@@ -5,7 +5,7 @@
 #define QUADRILLE_VOLUMETRIC_CROSS_FIELD_INTERNAL_SINGULAR_GRAPH_BUILDER_H
 
 #include <Quadrille/Singular_graph.h>
-#include <Quadrille/Volumetric_cross_field/internal/singular_face_paths.h>
+#include <Quadrille/Volumetric_cross_field/internal/build_singular_graph.h>
 
 #include <Eigen/Core>
 
@@ -341,6 +341,12 @@ private:
   Singular_graph_options m_options;
   Singular_graph m_graph;
 };
+
+QUADRILLE_INLINE Singular_graph build_singular_graph(const Singular_face_paths& paths,
+                                                     const Singular_graph_options& options)
+{
+  return Singular_graph_builder(paths, options).build();
+}
 
 } // namespace internal
 } // namespace Quadrille

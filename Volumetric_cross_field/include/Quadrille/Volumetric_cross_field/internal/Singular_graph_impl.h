@@ -4,7 +4,7 @@
 #ifndef QUADRILLE_VOLUMETRIC_CROSS_FIELD_INTERNAL_SINGULAR_GRAPH_IMPL_H
 #define QUADRILLE_VOLUMETRIC_CROSS_FIELD_INTERNAL_SINGULAR_GRAPH_IMPL_H
 
-#include <Quadrille/Volumetric_cross_field/internal/Singular_graph_builder.h>
+#include <Quadrille/Volumetric_cross_field/internal/build_singular_graph.h>
 #include <Quadrille/Volumetric_cross_field/internal/singular_face_paths.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Singular_graph make_singular_graph(const Mesh& mesh, const std::vector<Eigen::Ma
   const Edge_matcher matcher(frames, connection);
   const std::vector<unsigned char> faces = singular_faces(mesh, matcher, options.threads);
   const Singular_face_paths paths = Singular_face_tracer<Mesh>(mesh, frames, matcher, metric).trace(faces);
-  Singular_graph graph = Singular_graph_builder(paths, options).build();
+  Singular_graph graph = build_singular_graph(paths, options);
   graph.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return graph;
 }

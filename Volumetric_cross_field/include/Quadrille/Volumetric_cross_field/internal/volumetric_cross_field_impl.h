@@ -4,9 +4,9 @@
 #ifndef QUADRILLE_VOLUMETRIC_CROSS_FIELD_INTERNAL_VOLUMETRIC_CROSS_FIELD_IMPL_H
 #define QUADRILLE_VOLUMETRIC_CROSS_FIELD_INTERNAL_VOLUMETRIC_CROSS_FIELD_IMPL_H
 
-#include <Quadrille/Volumetric_cross_field/internal/Multilevel_field_solver.h>
 #include <Quadrille/Volumetric_cross_field/internal/make_field_graph.h>
 #include <Quadrille/Volumetric_cross_field/internal/singular_faces.h>
+#include <Quadrille/Volumetric_cross_field/internal/solve_field_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,6 @@ Volumetric_cross_field smoothest_field(const Mesh& mesh, const Vertex_alignments
 {
   const auto start = std::chrono::steady_clock::now();
   const Mesh_field_graph numbered(mesh, alignments, metric, connection, options.threads);
-  Multilevel_field_solver solver(numbered.graph(), options.seed, options.threads, progress);
   Volumetric_cross_field result;
   const std::size_t n = mesh.number_of_vertices();
   result.frames.resize(n);
@@ -53,11 +52,13 @@ Volumetric_cross_field smoothest_field(const Mesh& mesh, const Vertex_alignments
     last = counts;
     return result.has_settled = is_same && decrease <= options.energy_tolerance;
   };
-  take(solver.solve(options.max_newton_steps, has_settled));
-  result.levels = solver.counters().levels;
-  result.diffusions = solver.counters().diffusions;
-  result.newton_steps = solver.counters().newton_steps;
-  result.conjugate_gradients = solver.counters().conjugate_gradients;
+  Field_graph_counters counters;
+  take(solve_field_graph(numbered.graph(), options.seed, options.threads, options.max_newton_steps, has_settled,
+                         progress, counters));
+  result.levels = counters.levels;
+  result.diffusions = counters.diffusions;
+  result.newton_steps = counters.newton_steps;
+  result.conjugate_gradients = counters.conjugate_gradients;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }
