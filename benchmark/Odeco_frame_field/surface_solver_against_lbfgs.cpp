@@ -33,7 +33,7 @@ using namespace Quadrille;
 using Mesh = Surface_domain::Mesh;
 using Field = internal::Surface_field<5>;
 
-Field make_field(const Surface_domain& domain, const Surface_field_options& options, const Field::Evaluator& evaluator)
+Field make_field(const Surface_domain& domain, const Surface_field_options& options, const Field_evaluator& evaluator)
 {
   const internal::Mesh_index<Mesh> index(domain.mesh);
   std::vector<Eigen::Vector3d> points;
@@ -62,7 +62,7 @@ void compare(benchmark::State& state, const std::string& file, double triangle_s
   options.threads = 1;
 
   for (auto _ : state) {
-    const Field::Evaluator evaluator;
+    const Field_evaluator evaluator;
     const internal::Stopwatch our_watch;
     Field field = make_field(domain, options, evaluator);
     internal::Gradients gradients;
