@@ -4,11 +4,15 @@
 #ifndef QUADRILLE_TOOLS_SURFACE_PIPELINE_H
 #define QUADRILLE_TOOLS_SURFACE_PIPELINE_H
 
+#include "quantizer_option.h"
 #include "surface_picture.h"
 
 #include <Quadrille/Frame_edge_constraints.h>
+#include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Mesh_quality.h>
+#include <Quadrille/Optimal_quantizer.h>
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/Quad_extraction_options.h>
 #include <Quadrille/Size_specification.h>
 #include <Quadrille/Surface_domain.h>
 #include <Quadrille/Surface_field_options.h>
@@ -32,6 +36,10 @@ struct Surface_pipeline_options {
   Surface_field_options field; ///< its threads are used for the whole pipeline
   Seamless_parametrization_options map;
   bool make_map = true; ///< otherwise the field with the lowest energy is taken
+  bool make_quads = true;
+  Quad_extraction_options extraction;
+  Quantizer_kind quantizer = default_quantizer();
+  Optimal_quantizer::Options optimal;
 };
 
 /// What each stage of a run on a surface made; a stage that was not reached is empty.
@@ -48,9 +56,11 @@ struct Surface_pipeline_result {
   std::optional<Seamless_map<Mesh>> map;
   std::vector<Planar_domain::Point_2> corner_uv; ///< per halfedge: of the corner at its target
   std::optional<Log_deviation> size_error;       ///< see `measure_map_sizes()`
+  std::optional<Quad_extraction_result> extraction;
+  Mesh quads;
 };
 
-/// Field and map of a surface with the sizes of `constraints` (per edge). The field's starts are judged by the
+/// Field, map and quads of a surface with the sizes of `constraints` (per edge). The field's starts are judged by the
 /// integration errors of their untangled maps, of which no more are made than it takes to find the least. `result` is
 /// filled as far as the run gets, also when it throws. \throws No_result_error if the indices of the chosen field do
 /// not add up to the Euler characteristic, and as the stages do.
@@ -66,7 +76,10 @@ std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, con
 std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_domain& domain,
                                                                 const std::vector<Gradient_pair>& gradients);
 
-/// What there is to see of a run, as far as it got: the frames, or the isolines of the map where there is one.
+/// The quads with the names of the surface's curves and regions.
+Labelled_mesh labelled_quads(const Surface_domain& domain, const Surface_pipeline_result& result);
+
+/// What there is to see of a run, as far as it got: the frames, the isolines of the map, or the quads.
 Surface_drawing surface_drawing(const Surface_domain& domain, const Surface_pipeline_result& result);
 
 } // namespace Quadrille

@@ -27,7 +27,8 @@ Count_request parse_count(const std::string& text)
   return request;
 }
 
-std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_request>& requests, Planar_domain& domain)
+template <class Domain>
+std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_request>& requests, Domain& domain)
 {
   std::vector<Curve_count> counts;
   std::map<int, std::string> request_of; // by curve
@@ -39,7 +40,7 @@ std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_reques
     std::map<int, int> new_chain; // by old chain
     for (const int c : curves) {
       const auto [place, is_new] = request_of.emplace(c, request.name);
-      Planar_domain::Curve& curve = domain.curves[std::size_t(c)];
+      typename Domain::Curve& curve = domain.curves[std::size_t(c)];
       if (!is_new)
         throw Invalid_argument_error("option --count: numbers of elements are asked for on '" + place->second +
                                      "' and on '" + request.name + "', which have the curve with tag " +
@@ -55,5 +56,8 @@ std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_reques
   }
   return counts;
 }
+
+template std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_request>&, Planar_domain&);
+template std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_request>&, Surface_domain&);
 
 } // namespace Quadrille

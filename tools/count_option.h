@@ -6,6 +6,7 @@
 
 #include <Quadrille/Curve_count.h>
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/Surface_domain.h>
 
 #include <string>
 #include <vector>
@@ -23,8 +24,10 @@ Count_request parse_count(const std::string& text);
 
 /// Makes the curves of each request chains of `domain` of their own, so that they keep their ends in the quad mesh, and
 /// returns how many elements these chains shall have together.
+/// \tparam Domain `Planar_domain` or `Surface_domain`
 /// \throws Invalid_argument_error if there is no curve of that name, or a curve is in two requests.
-std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_request>& requests, Planar_domain& domain);
+template <class Domain>
+std::vector<Curve_count> split_off_counted_curves(const std::vector<Count_request>& requests, Domain& domain);
 
 } // namespace Quadrille
 

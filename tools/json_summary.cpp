@@ -105,6 +105,26 @@ template <class Mesh> Json json_of_map(const Seamless_map<Mesh>& map, double smo
           {"seconds", map.seconds}};
 }
 
+void add_extraction(const Quad_extraction_result& extraction, Json& summary)
+{
+  summary["layout"] = {{"kind", extraction.layout.kind == Layout_kind::t_mesh ? "t-mesh" : "base-complex"},
+                       {"patches", extraction.layout.patches.size()},
+                       {"arcs", extraction.layout.arcs.size()},
+                       {"seconds", extraction.layout_seconds}};
+  const Quantization& quantization = extraction.quantization;
+  Json& json = summary["quantization"];
+  json = {{"method", quantization.method},
+          {"area_change_relative", extraction.area_change_relative},
+          {"deviation", quantization.deviation}};
+  if (quantization.optimality_gap >= 0)
+    json["optimality_gap"] = quantization.optimality_gap;
+  json["collapsed_arcs"] = extraction.collapsed_arcs;
+  json["repetitions"] = quantization.repetitions;
+  if (!quantization.note.empty())
+    json["note"] = quantization.note;
+  json["seconds"] = extraction.quantization_seconds;
+}
+
 } // namespace
 
 Mesh_summary summarize(const Labelled_mesh& mesh, const Planar_domain* domain, const Domain_sizes* sizes)
@@ -155,25 +175,8 @@ void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Js
   }
   if (result.map)
     summary["map"] = json_of_map(*result.map, result.smooth_integration_error);
-  if (result.extraction) {
-    const Quad_extraction_result& extraction = *result.extraction;
-    summary["layout"] = {{"kind", extraction.layout.kind == Layout_kind::t_mesh ? "t-mesh" : "base-complex"},
-                         {"patches", extraction.layout.patches.size()},
-                         {"arcs", extraction.layout.arcs.size()},
-                         {"seconds", extraction.layout_seconds}};
-    const Quantization& quantization = extraction.quantization;
-    Json& json = summary["quantization"];
-    json = {{"method", quantization.method},
-            {"area_change_relative", extraction.area_change_relative},
-            {"deviation", quantization.deviation}};
-    if (quantization.optimality_gap >= 0)
-      json["optimality_gap"] = quantization.optimality_gap;
-    json["collapsed_arcs"] = extraction.collapsed_arcs;
-    json["repetitions"] = quantization.repetitions;
-    if (!quantization.note.empty())
-      json["note"] = quantization.note;
-    json["seconds"] = extraction.quantization_seconds;
-  }
+  if (result.extraction)
+    add_extraction(*result.extraction, summary);
 }
 
 void add_stages(const Surface_pipeline_result& result, Field_solver_kind solver, Json& summary)

@@ -88,7 +88,8 @@ public:
     shade();
     draw_isolines();
     draw_frames();
-    draw_features();
+    draw_edges(m_drawing.mesh_edges, "stroke=\"#246\" stroke-width=\"0.7\"");
+    draw_edges(m_drawing.feature_edges, "stroke=\"#000\" stroke-width=\"1.6\" stroke-linecap=\"round\"");
     for (const auto& [v, valence] : m_drawing.singular_vertices)
       if (m_depth.shows(on_page(v)))
         m_text += Picture_view::dot(on_page(v), 5, valence == 3 ? "#d22" : valence == 5 ? "#22d" : "#a2a");
@@ -250,12 +251,12 @@ private:
     }
   }
 
-  void draw_features()
+  void draw_edges(const std::vector<std::array<int, 2>>& edges, const std::string& style)
   {
     std::string path;
-    for (const auto& [u, v] : m_drawing.feature_edges)
+    for (const auto& [u, v] : edges)
       add_stroke(path, on_page(u), on_page(v));
-    add_path("stroke=\"#000\" stroke-width=\"1.6\" stroke-linecap=\"round\"", path);
+    add_path(style, path);
   }
 
   const Surface_drawing& m_drawing;

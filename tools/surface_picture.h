@@ -20,6 +20,7 @@ struct Surface_drawing {
   std::vector<std::array<double, 3>> points;
   std::vector<Triangle> triangles; ///< oriented alike
   std::vector<std::array<int, 2>> feature_edges;
+  std::vector<std::array<int, 2>> mesh_edges; ///< thin lines
   /// By triangle, the two vectors of its frame, tangent and as long as elements should be.
   std::vector<std::array<Eigen::Vector3d, 2>> frames;
   std::vector<std::pair<int, int>> singular_vertices; ///< with their valences

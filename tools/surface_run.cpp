@@ -5,6 +5,7 @@
 
 #include "Quad_run.h"
 #include "Surface_pipeline.h"
+#include "count_option.h"
 #include "domain_constraints.h"
 #include "json_summary.h"
 #include "picture_file.h"
@@ -15,7 +16,9 @@
 #include <Quadrille/write_mesh.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -37,16 +40,7 @@ private:
   /// Options of what is not done on surfaces are no mistakes that one should overlook.
   void check_options() const
   {
-    if (!m_arguments.outputs.empty())
-      throw Invalid_argument_error(m_arguments.outputs.front() + ": quads of surfaces cannot be made yet, and " +
-                                   m_arguments.input +
-                                   " is a surface; leave out -o, and write its field and map with --field, --map and "
-                                   "--picture");
-    const Quad_arguments defaults;
     const std::pair<const char*, bool> given[] = {
-        {"--count", !m_arguments.counts.empty()},
-        {"--layout", m_arguments.layout != defaults.layout},
-        {"--quantizer", m_arguments.quantizer != defaults.quantizer},
         {"--impose-size-field", m_arguments.impose_size_field},
         {"--solver lbfgs-kappa", m_arguments.solver == Field_solver_kind::lbfgs_kappa}};
     for (const auto& [option, is_given] : given)
@@ -68,6 +62,7 @@ private:
     if (!m_arguments.size_field.empty())
       m_target_size = read_size_field(m_arguments.size_field, m_domain);
     remove_unaligned_curves(m_domain, m_arguments.unaligned);
+    m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     m_is_weak = remove_weak_curves(m_domain, m_arguments.weak);
     std::ostringstream line;
     line << m_arguments.input << ": a surface of " << m_domain.mesh.number_of_faces() << " triangles, "
@@ -96,8 +91,24 @@ private:
     options.field.seed = m_arguments.seed;
     options.field.threads = m_arguments.threads;
     options.field.observer = &m_console.observer();
+    options.make_quads = !m_arguments.outputs.empty();
+    options.extraction.layout = m_arguments.layout;
+    options.extraction.counts = m_counts;
+    options.extraction.threads = m_arguments.threads;
+    options.extraction.max_quads = 4 * m_arguments.max_quads; // sizes are met approximately
+    options.extraction.observer = &m_console.observer();
+    options.quantizer = m_arguments.quantizer;
     run_surface_pipeline(m_domain, constraints_of(m_domain, m_sizes, m_is_weak), options, m_result);
     m_result.size_error = measure_map_sizes(m_domain, m_sizes, m_result.corner_uv);
+    if (!m_result.extraction)
+      return;
+    const auto start = std::chrono::steady_clock::now();
+    m_mesh = labelled_quads(m_domain, m_result);
+    const Mesh_validity validity = check_quad_mesh(m_mesh);
+    if (!validity.is_valid())
+      throw No_result_error("mesh", validity.problems[0]);
+    m_mesh_summary = summarize(m_mesh, nullptr, nullptr);
+    m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   void write_field_and_picture() const
@@ -115,6 +126,8 @@ private:
 
   void write() override
   {
+    for (const std::string& output : m_arguments.outputs)
+      write_mesh(output, m_mesh);
     write_field_and_picture();
     if (!m_arguments.map.empty())
       write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
@@ -131,6 +144,10 @@ private:
     Json json;
     json["input"] = json_of(m_domain);
     add_stages(m_result, m_arguments.solver, json);
+    if (m_mesh_summary) {
+      json["mesh"] = json_of(*m_mesh_summary);
+      json["mesh"]["seconds"] = m_result.extraction->mesh_seconds + m_check_seconds;
+    }
     return json;
   }
 
@@ -156,6 +173,21 @@ private:
     }
     line << ", " << seconds() << " s";
     m_console.print(line.str());
+    if (m_mesh_summary)
+      report_mesh();
+  }
+
+  void report_mesh()
+  {
+    if (!m_result.extraction->quantization.note.empty())
+      m_console.print(m_result.extraction->quantization.note);
+    std::ostringstream line;
+    line.precision(3);
+    const Mesh_quality& quality = m_mesh_summary->quality;
+    line << m_arguments.outputs.front() << ": " << m_mesh_summary->quads << " quads, scaled Jacobian min "
+         << quality.scaled_jacobian_min << " mean " << quality.scaled_jacobian_mean << ", skew mean "
+         << quality.skew_mean << " max " << quality.skew_max << " degrees";
+    m_console.print(line.str());
   }
 
   Surface_domain m_domain;
@@ -163,7 +195,11 @@ private:
   double m_typical_size = 0;
   std::vector<double> m_target_size;
   std::vector<char> m_is_weak; ///< edges
+  std::vector<Curve_count> m_counts;
   Surface_pipeline_result m_result;
+  Labelled_mesh m_mesh;
+  std::optional<Mesh_summary> m_mesh_summary;
+  double m_check_seconds = 0;
 };
 
 } // namespace

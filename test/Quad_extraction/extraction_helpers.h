@@ -13,6 +13,7 @@
 
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,24 +37,33 @@ struct Traced {
   Quadrille::Quad_layout layout;
 };
 
-struct Extracted {
-  Mesh quads;
+template <std::size_t D> struct Extracted_in {
+  using Point = std::conditional_t<D == 2, Point_2, CGAL::Simple_cartesian<double>::Point_3>;
+
+  CGAL::Surface_mesh<Point> quads;
   Quadrille::Quad_extraction_result result;
 };
+using Extracted = Extracted_in<2>;
 
 /// Runs the public function on a `CGAL::Surface_mesh`.
-template <class Quantizer = Quadrille::Greedy_quantizer, class Projector = Quadrille::No_curve_projector>
-Extracted extract(const Mapped_mesh& mapped, const Quadrille::Quad_extraction_options& options = {},
-                  const Quantizer& quantizer = {}, const Projector& projector = {})
+template <std::size_t D, class Quantizer = Quadrille::Greedy_quantizer, class Projector = Quadrille::No_curve_projector>
+Extracted_in<D> extract(const Mapped_mesh_in<D>& mapped, const Quadrille::Quad_extraction_options& options = {},
+                        const Quantizer& quantizer = {}, const Projector& projector = {})
 {
+  using Mesh = CGAL::Surface_mesh<typename Extracted_in<D>::Point>;
   Mesh mesh;
-  auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
-  auto curve = mesh.add_property_map<Mesh::Edge_index, int>("e:curve", -1).first;
-  auto region = mesh.add_property_map<Mesh::Face_index, int>("f:region", 0).first;
-  for (const Point& p : mapped.points)
-    mesh.add_vertex(Point_2(p[0], p[1]));
+  auto uv = mesh.template add_property_map<typename Mesh::Halfedge_index, Point_2>("h:uv").first;
+  auto curve = mesh.template add_property_map<typename Mesh::Edge_index, int>("e:curve", -1).first;
+  auto region = mesh.template add_property_map<typename Mesh::Face_index, int>("f:region", 0).first;
+  for (const auto& p : mapped.points)
+    if constexpr (D == 2)
+      mesh.add_vertex({p[0], p[1]});
+    else
+      mesh.add_vertex({p[0], p[1], p[2]});
   for (std::size_t f = 0; f < mapped.triangles.size(); ++f) {
-    const auto vertex = [&](std::size_t i) { return Mesh::Vertex_index(unsigned(mapped.triangles[f][i % 3])); };
+    const auto vertex = [&](std::size_t i) {
+      return typename Mesh::Vertex_index(unsigned(mapped.triangles[f][i % 3]));
+    };
     const auto face = mesh.add_face(vertex(0), vertex(1), vertex(2));
     region[face] = mapped.region[f];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -63,7 +73,7 @@ Extracted extract(const Mapped_mesh& mapped, const Quadrille::Quad_extraction_op
       uv[h] = Point_2(at_target[0], at_target[1]);
     }
   }
-  Extracted extracted;
+  Extracted_in<D> extracted;
   extracted.result =
       Quadrille::extract_quads(mesh, mesh.points(), uv, curve, region, extracted.quads, options, quantizer, projector);
   return extracted;
@@ -78,7 +88,7 @@ inline bool has_convex_quads(const Mesh& mesh)
   return true;
 }
 
-inline int euler_characteristic(const Mesh& mesh)
+template <class Quad_mesh> int euler_characteristic(const Quad_mesh& mesh)
 {
   return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <random>
@@ -16,9 +17,10 @@ namespace quad_extraction_test {
 
 using Point = std::array<double, 2>;
 
-/// A triangulated planar domain with an exactly seamless map, as index arrays (corner = halfedge 3 f + i).
-struct Mapped_mesh {
-  std::vector<Point> points;
+/// A triangulated domain in the plane or in space with an exactly seamless map, as index arrays (corner = halfedge
+/// 3 f + i).
+template <std::size_t D> struct Mapped_mesh_in {
+  std::vector<std::array<double, D>> points;
   std::vector<std::array<int, 3>> triangles;
   std::vector<Point> corner_uv;
   std::vector<int> curve;  // by halfedge, -1 inside
@@ -31,21 +33,25 @@ struct Mapped_mesh {
            scale * (std::sin(angle) * p[0] + std::cos(angle) * p[1])};
   }
 };
+using Mapped_mesh = Mapped_mesh_in<2>;
 
 inline double snapped(double x) { return std::round(std::ldexp(x, 30)) / std::ldexp(1.0, 30); }
 
-/// Rectangles glued along whole sides: a coarse quad mesh whose cells are mapped bilinearly in the plane and are exact
+/// Rectangles glued along whole sides: a coarse quad mesh whose cells are mapped bilinearly and are exact
 /// rectangles in the map. Every singularity, corner and feature is chosen by how the cells are glued.
-struct Glued_rectangles {
-  std::vector<Point> corners;
+template <std::size_t D> struct Glued_rectangles_in {
+  using Place = std::array<double, D>;
+  using Mapped_mesh = Mapped_mesh_in<D>;
+
+  std::vector<Place> corners;
   std::vector<std::array<int, 4>> cells;
   /// Map length of the coarse edge between corners `a` and `b`; must agree on opposite sides of each cell.
   std::function<double(int a, int b)> length = [](int, int) { return 3.7; };
   /// Curve id of a coarse edge; inner edges with an id are features. Border edges must have one.
   std::function<int(int a, int b, bool border)> curve = [](int, int, bool border) { return border ? 0 : -1; };
   std::function<int(int cell)> region = [](int) { return 0; };
-  /// Shape of the cells in the plane: applied to the bilinear position.
-  std::function<Point(const Point&)> shape = [](const Point& p) { return p; };
+  /// Shape of the cells: applied to the bilinear position.
+  std::function<Place(const Place&)> shape = [](const Place& p) { return p; };
   int subdivisions = 4;
   double jitter = 0.2; // of a cell's inner vertices, relative to their distance
   unsigned seed = 1;
@@ -68,8 +74,8 @@ struct Glued_rectangles {
       const double lu = snapped(length(cell[0], cell[1]));
       const double lv = snapped(length(cell[1], cell[2]));
       const auto bilinear = [&](double x, double y) {
-        Point p;
-        for (std::size_t d = 0; d < 2; ++d)
+        Place p;
+        for (std::size_t d = 0; d < D; ++d)
           p[d] = (1 - y) * ((1 - x) * at(cell[0])[d] + x * at(cell[1])[d]) +
                  y * ((1 - x) * at(cell[3])[d] + x * at(cell[2])[d]);
         return shape(p);
@@ -136,9 +142,9 @@ struct Glued_rectangles {
   }
 
 private:
-  const Point& at(int corner) const { return corners[std::size_t(corner)]; }
+  const Place& at(int corner) const { return corners[std::size_t(corner)]; }
 
-  static int new_vertex(Mapped_mesh& mesh, const Point& p)
+  static int new_vertex(Mapped_mesh& mesh, const Place& p)
   {
     mesh.points.push_back(p);
     return static_cast<int>(mesh.points.size()) - 1;
@@ -166,6 +172,9 @@ private:
     return curve(a, b, uses.at(std::minmax(a, b)) == 1);
   }
 };
+
+using Glued_rectangles = Glued_rectangles_in<2>;
+using Glued_rectangles_in_space = Glued_rectangles_in<3>;
 
 /// A block of nx times ny unit cells; corner (i, j) has index j (nx + 1) + i. `keep` chooses the cells.
 inline Glued_rectangles cell_grid(int nx, int ny, const std::function<bool(int, int)>& keep = {})

@@ -147,7 +147,7 @@ TEST(Layout, symmetric_domain_has_symmetric_layout)
   std::vector<Eigen::Vector2d> points;
   for (const Point& p : mesh.points)
     points.emplace_back(p[0] - 1.5, p[1] - 1.5);
-  const Quadrille::internal::extraction::Layout_geometry geometry(traced.map, points, traced.layout);
+  const Quadrille::internal::extraction::Layout_geometry<2> geometry(traced.map, points, traced.layout);
   for (const Quad_layout::Node& node : traced.layout.nodes) {
     const Eigen::Vector2d p = geometry.point(node.point);
     const Eigen::Vector2d turned(-p.y(), p.x());

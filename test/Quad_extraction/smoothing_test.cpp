@@ -19,6 +19,8 @@ using namespace Quadrille::internal::extraction;
 
 namespace {
 
+const Quad_frames<2> plane;
+
 /// A grid of n x n quads of the unit square, each inner vertex moved by up to `noise` cells.
 Mesh noisy_grid(int n, double noise, unsigned seed)
 {
@@ -50,7 +52,7 @@ auto corners_fixed(Mesh& mesh)
 
 TEST(Quad_shape_term, jacobian_agrees_with_differences)
 {
-  Indexed_quads quads;
+  Indexed_quads<2> quads;
   quads.points = {{0, 0}, {1.2, 0.1}, {1.3, 0.9}, {-0.1, 1.1}};
   quads.vertices.resize(4);
   quads.quads = {{0, 1, 2, 3}};
@@ -60,8 +62,8 @@ TEST(Quad_shape_term, jacobian_agrees_with_differences)
     arc.emplace_back(2 * std::cos(0.2 * i), 2 * std::sin(0.2 * i) - 1);
   quads.curves.emplace_back(arc, false, 0);
   quads.vertices[2].chain = 0;
-  using Motion = Quad_shape_term::Motion;
-  Quad_shape_term term(quads, {Motion::free, Motion::free, Motion::on_curve, Motion::free}, 0.5, 0.7, 2);
+  using Motion = Quad_shape_term<2>::Motion;
+  Quad_shape_term<2> term(quads, plane, {Motion::free, Motion::free, Motion::on_curve, Motion::free}, 0.5, 0.7, 2);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-0.1, 0.1);
   for (const double eps : {0.0, 0.3, 1.0})
@@ -69,7 +71,7 @@ TEST(Quad_shape_term, jacobian_agrees_with_differences)
       term.set_eps(eps);
       Eigen::VectorXd x = term.unknowns();
       x[4] = 3.3; // arc length 1.65
-      Quad_shape_term::Unknowns local = Quad_shape_term::Unknowns::Zero();
+      Quad_shape_term<2>::Unknowns local = Quad_shape_term<2>::Unknowns::Zero();
       for (int i = 0; i < x.size(); ++i)
         local[i] = x[i] + noise(random);
       if (eps > 0 && run % 2)
@@ -80,7 +82,7 @@ TEST(Quad_shape_term, jacobian_agrees_with_differences)
 
 TEST(Quad_shape_term, jacobian_of_steps_agrees_with_differences)
 {
-  Indexed_quads quads;
+  Indexed_quads<2> quads;
   quads.points = {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
   quads.vertices.resize(4);
   quads.curves.emplace_back(std::vector<Eigen::Vector2d>{{0, 0}, {4, 0}}, false, 0);
@@ -88,20 +90,21 @@ TEST(Quad_shape_term, jacobian_of_steps_agrees_with_differences)
     quads.vertices[std::size_t(v)].chain = 0;
     quads.vertices[std::size_t(v)].position = v;
   }
-  using Motion = Quad_shape_term::Motion;
+  using Motion = Quad_shape_term<2>::Motion;
   const std::vector<Curve_step> steps = {
       {-1, 1, 0, 0.7}, {1, 2, 0, 1.1}, {2, 3, 0, 0.9}, {2, -1, 4, 1.9}, {-1, 0, 0, 1}};
-  Quad_shape_term term(quads, {Motion::fixed, Motion::on_curve, Motion::on_curve, Motion::fixed}, 0.5, 0.7, 2, steps);
+  Quad_shape_term<2> term(quads, plane, {Motion::fixed, Motion::on_curve, Motion::on_curve, Motion::fixed}, 0.5, 0.7, 2,
+                          steps);
   ASSERT_EQ(term.number_of_elements(), 4u); // the last step has no end that slides
-  std::array<int, Quad_shape_term::max_unknowns> index;
+  std::array<int, Quad_shape_term<2>::max_unknowns> index;
   EXPECT_EQ(term.element_unknowns(0, index), 1);
   EXPECT_EQ(term.element_unknowns(1, index), 2);
-  Quad_shape_term::Residuals r;
+  Quad_shape_term<2>::Residuals r;
   for (const double eps : {0.0, 0.1, 1.0})
     for (std::size_t e = 0; e < 4; ++e) {
       term.set_eps(eps);
       const int n = term.element_unknowns(e, index);
-      Quad_shape_term::Unknowns local = Quad_shape_term::Unknowns::Zero();
+      Quad_shape_term<2>::Unknowns local = Quad_shape_term<2>::Unknowns::Zero();
       for (int i = 0; i < n; ++i)
         local[i] = term.unknowns()[index[std::size_t(i)]] + 0.1 * i;
       EXPECT_LT(Quadrille::jacobian_error(term, e, local, 1e-4), 1e-6);
@@ -117,19 +120,20 @@ TEST(Quad_shape_term, jacobian_of_steps_agrees_with_differences)
 
 TEST(Quad_shape_term, vanishes_for_the_target_alone)
 {
-  Indexed_quads quads;
+  Indexed_quads<2> quads;
   const double c = std::cos(0.7), s = std::sin(0.7);
   for (const auto& [x, y] : {std::pair(0.0, 0.0), std::pair(2.0, 0.0), std::pair(2.0, 3.0), std::pair(0.0, 3.0)})
     quads.points.emplace_back(5 + c * x - s * y, 7 + s * x + c * y);
   quads.vertices.resize(4);
   quads.quads = {{0, 1, 2, 3}};
   quads.target = {{2, 3}};
-  Quad_shape_term term(quads, std::vector<Quad_shape_term::Motion>(4, Quad_shape_term::Motion::free), 1, 1, 1);
-  const Quad_shape_term::Unknowns x = term.unknowns();
-  Quad_shape_term::Residuals r;
+  Quad_shape_term<2> term(quads, plane, std::vector<Quad_shape_term<2>::Motion>(4, Quad_shape_term<2>::Motion::free), 1,
+                          1, 1);
+  const Quad_shape_term<2>::Unknowns x = term.unknowns();
+  Quad_shape_term<2>::Residuals r;
   ASSERT_TRUE(term.evaluate(0, x, r, nullptr));
   EXPECT_LT(r.norm(), 1e-14);
-  Quad_shape_term::Unknowns sheared = x;
+  Quad_shape_term<2>::Unknowns sheared = x;
   sheared[4] += 0.5;
   ASSERT_TRUE(term.evaluate(0, sheared, r, nullptr));
   EXPECT_GT(r.norm(), 0.05);
@@ -145,7 +149,7 @@ TEST(Polyline_curve, smooth_curve_is_fourth_order_on_a_circle)
       const double angle = (closed ? 2 * std::acos(-1.0) : 1.0) * i / n;
       points.emplace_back(std::cos(angle), std::sin(angle));
     }
-    const Polyline_curve curve(points, closed, 0);
+    const Polyline_curve<2> curve(points, closed, 0);
     double largest = 0;
     for (int i = 0; i <= 1000; ++i) {
       const auto [p, tangent] = curve.smooth(curve.length() * i / 1000);
@@ -164,7 +168,7 @@ TEST(Polyline_curve, smooth_curve_is_fourth_order_on_a_circle)
 
 TEST(Polyline_curve, keeps_kinks)
 {
-  const Polyline_curve curve({{0, 0}, {1, 0}, {1, 1}}, false, 0);
+  const Polyline_curve<2> curve({{0, 0}, {1, 0}, {1, 1}}, false, 0);
   EXPECT_NEAR((curve.smooth(0.5).first - Eigen::Vector2d(0.5, 0)).norm(), 0, 1e-15);
   EXPECT_NEAR((curve.smooth(1.0).first - Eigen::Vector2d(1, 0)).norm(), 0, 1e-15);
   EXPECT_NEAR((curve.smooth(1.7).first - Eigen::Vector2d(1, 0.7)).norm(), 0, 1e-15);

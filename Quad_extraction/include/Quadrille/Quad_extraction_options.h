@@ -53,7 +53,7 @@ struct Quad_extraction_result {
   std::map<int, int> irregular_vertices; ///< valence -> number, interior vertices of valence other than 4
 
   Quad_layout layout;
-  std::vector<std::vector<std::array<double, 2>>> arc_polylines; ///< by arc of the layout
+  std::vector<std::vector<std::array<double, 3>>> arc_polylines; ///< by arc of the layout; z = 0 in the plane
   Quantization quantization;                                     ///< integer lengths of the layout's arcs
   int refinements = 0;                                           ///< see `max_refinements`
   int collapsed_arcs = 0;                                        ///< arcs of length 0

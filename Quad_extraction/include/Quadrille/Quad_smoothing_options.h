@@ -14,6 +14,8 @@ struct Quad_smoothing_options {
   double angle_weight = 3;         ///< omega: weight of right angles against aspect ratios, >= 0
   int max_iterations = 60;         ///< Levenberg-Marquardt steps once all corners are positive
   double relative_decrease = 1e-5; ///< stop when a step lowers the energy by less than this fraction of it
+  int surface_rounds = 12;         ///< on surfaces: times that vertices are put back after steps in tangent planes
+  int surface_iterations = 6;      ///< steps between; `max_iterations` is for the plane
   int untangling_rounds = 40;      ///< reductions of the regularisation while there are inverted corners
   int untangling_iterations = 10;  ///< steps per reduction
   int max_untangling_rings = 12;   ///< so far from inverted quads vertices may move to make room for them

@@ -17,14 +17,16 @@ namespace internal::extraction {
 
 /// The domain's curves between critical nodes as polylines, and where the vertices and arcs of the collapsed layout lie
 /// on them, measured by arc length.
-class Curve_chains {
+template <int D> class Curve_chains {
 public:
+  using Point = Eigen::Matrix<double, D, 1>;
+
   struct Place {
     int chain = -1;
     double position = 0;
   };
 
-  Curve_chains(const Quad_layout& layout, const Collapsed_layout& collapsed, const Layout_geometry& geometry)
+  Curve_chains(const Quad_layout& layout, const Collapsed_layout& collapsed, const Layout_geometry<D>& geometry)
       : m_layout(&layout), m_collapsed(&collapsed), m_place_of_arc(layout.arcs.size()), m_fractions(layout.arcs.size()),
         m_place_of_vertex(std::size_t(collapsed.number_of_vertices()))
   {
@@ -32,7 +34,7 @@ public:
       add_chain(chain, geometry);
   }
 
-  const std::vector<Polyline_curve>& curves() const { return m_curves; }
+  const std::vector<Polyline_curve<D>>& curves() const { return m_curves; }
 
   /// Where a vertex that a node without a critical one beside it became slides; chain -1 for other vertices.
   const Place& vertex_place(int vertex) const { return at(m_place_of_vertex, vertex); }
@@ -78,7 +80,7 @@ private:
     return at(m_place_of_vertex, vertex).position + (one_turn_later ? at(m_curves, chain).length() : 0);
   }
 
-  void add_chain(const Quad_layout::Curve_chain& chain, const Layout_geometry& geometry)
+  void add_chain(const Quad_layout::Curve_chain& chain, const Layout_geometry<D>& geometry)
   {
     const int index = size_of(m_curves);
     std::vector<int> arcs;
@@ -90,18 +92,18 @@ private:
           std::find_if(arcs.begin(), arcs.end(), [this](int a) { return m_collapsed->length(a) > 0; });
       std::rotate(arcs.begin(), positive + 1, arcs.end());
     }
-    std::vector<Layout_geometry::Point> points; // vertices of the triangulation only
-    std::vector<std::pair<int, double>> nodes;  // with their positions
+    std::vector<Point> points;                 // vertices of the triangulation only
+    std::vector<std::pair<int, double>> nodes; // with their positions
     double position = 0;
     double first_vertex = 0; // position of the first point; loops may start within an edge
-    Layout_geometry::Point last = Layout_geometry::Point::Zero();
+    Point last = Point::Zero();
     for (const int a : arcs) {
       const Quad_layout::Arc& arc = at(m_layout->arcs, a);
       at(m_place_of_arc, a) = {index, position};
       nodes.emplace_back(arc.source, position);
       std::vector<double>& fractions = at(m_fractions, a).values;
       for (std::size_t i = 0; i < arc.points.size(); ++i) {
-        const Layout_geometry::Point p = geometry.point(arc.points[i].point);
+        const Point p = geometry.point(arc.points[i].point);
         if (a != arcs.front() || i > 0)
           position += (p - last).norm();
         last = p;
@@ -144,7 +146,7 @@ private:
 
   const Quad_layout* m_layout;
   const Collapsed_layout* m_collapsed;
-  std::vector<Polyline_curve> m_curves;
+  std::vector<Polyline_curve<D>> m_curves;
   std::vector<Place> m_place_of_arc;
   std::vector<Fractions> m_fractions;
   std::vector<Place> m_place_of_vertex;

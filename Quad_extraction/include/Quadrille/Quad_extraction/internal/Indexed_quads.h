@@ -12,15 +12,16 @@
 namespace Quadrille {
 namespace internal::extraction {
 
-/// A quad mesh as index arrays, with what smoothing and output need to know about it.
-struct Indexed_quads {
-  using Point = Eigen::Vector2d;
+/// A quad mesh in the plane or in space as index arrays, with what smoothing and output need to know about it.
+template <int D> struct Indexed_quads {
+  using Point = Eigen::Matrix<double, D, 1>;
 
   struct Vertex {
     int input_vertex = -1; ///< the triangulation's vertex that it must stay at, or -1
     int chain = -1;        ///< the curve that it slides on, or -1
     double position = 0;   ///< arc length on that curve
     int quadrants = 4;     ///< right angles around it in the map
+    int face = -1;         ///< if it is not constrained: triangle at or near it
     bool border = false;
     bool constrained = false;
   };
@@ -36,10 +37,11 @@ struct Indexed_quads {
   std::vector<std::array<int, 4>> quads; ///< counterclockwise
   std::vector<int> region;               ///< by quad
   std::vector<int> patch;                ///< by quad: of the layout
+  std::vector<int> face;                 ///< by quad: triangle at or near its centre
   /// By quad: wanted lengths of its sides 0 and 2, and of its sides 1 and 3.
   std::vector<std::array<double, 2>> target;
   std::vector<Curve_edge> curve_edges;
-  std::vector<Polyline_curve> curves; ///< by chain
+  std::vector<Polyline_curve<D>> curves; ///< by chain
 };
 
 } // namespace internal::extraction

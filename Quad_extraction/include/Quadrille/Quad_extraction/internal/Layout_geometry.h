@@ -15,10 +15,16 @@
 namespace Quadrille {
 namespace internal::extraction {
 
-/// Positions of a layout's arcs and patches in the domain, by the inverse of the map.
-class Layout_geometry {
+/// Positions of a layout's arcs and patches in the domain, in the plane or in space, by the inverse of the map.
+template <int D> class Layout_geometry {
 public:
-  using Point = Eigen::Vector2d;
+  using Point = Eigen::Matrix<double, D, 1>;
+
+  /// A point and the triangle that holds it.
+  struct Place {
+    int face = -1;
+    Point point = Point::Zero();
+  };
 
   /// All arguments must outlive the object.
   Layout_geometry(const Seamless_map& map, const std::vector<Point>& vertex_points, const Quad_layout& layout)
@@ -35,7 +41,9 @@ public:
   }
 
   /// The point of half-arc `h` at map length `x` from its source.
-  Point point_on_arc(int h, double x) const
+  Point point_on_arc(int h, double x) const { return place_on_arc(h, x).point; }
+
+  Place place_on_arc(int h, double x) const
   {
     const Quad_layout::Arc& arc = at(m_layout->arcs, h / 2);
     const double s = h % 2 ? arc.length - x : x;
@@ -43,12 +51,12 @@ public:
     const Quad_layout::Arc_point& a = at(arc.points, i);
     const Quad_layout::Arc_point& b = at(arc.points, i + 1);
     const double t = b.position > a.position ? (s - a.position) / (b.position - a.position) : 0;
-    return (1 - t) * point(a.point) + t * point(b.point);
+    return {a.face, (1 - t) * point(a.point) + t * point(b.point)};
   }
 
-  /// Points at the map heights `heights` (increasing) on the isoline that leaves half-arc `h` at map length `x` from
+  /// Places at the map heights `heights` (increasing) on the isoline that leaves half-arc `h` at map length `x` from
   /// its source, perpendicularly to its left. Positions are sampled, so unlike in tracing rounding is harmless here.
-  void sample(int h, double x, const std::vector<double>& heights, std::vector<Point>& result) const
+  void sample(int h, double x, const std::vector<double>& heights, std::vector<Place>& result) const
   {
     result.clear();
     Isoline_step step = perpendicular(h, x);
@@ -60,9 +68,9 @@ public:
       }
       const double exit_height = exit_position(step);
       while (result.size() < heights.size() && heights[result.size()] <= exit_height)
-        result.push_back(point_in_face(step.face, step.point(heights[result.size()])));
+        result.push_back(place_in_face(step.face, step.point(heights[result.size()])));
       if (m_map->mesh().is_boundary(step.exit))
-        result.resize(heights.size(), point_in_face(step.face, step.point(exit_height)));
+        result.resize(heights.size(), place_in_face(step.face, step.point(exit_height)));
       else
         step = across(*m_map, step);
     }
@@ -115,7 +123,7 @@ private:
     step.level = std::min(std::max(step.level, low), high - inside * (high - low));
   }
 
-  Point point_in_face(int f, const Uv& p) const
+  Place place_in_face(int f, const Uv& p) const
   {
     const Uv& a = m_map->uv(3 * f);
     const Uv& b = m_map->uv(3 * f + 1);
@@ -123,7 +131,7 @@ private:
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     const double b1 = ((p[0] - a[0]) * (c[1] - a[1]) - (p[1] - a[1]) * (c[0] - a[0])) / area;
     const double b2 = ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])) / area;
-    return point({f, b1, b2});
+    return {f, point({f, b1, b2})};
   }
 
   const Seamless_map* m_map;

@@ -16,10 +16,11 @@
 namespace Quadrille {
 namespace internal::extraction {
 
-/// A polyline parametrised by arc length, and the smooth curve through its points (cubic Hermite pieces, kinks kept).
-class Polyline_curve {
+/// A polyline in the plane or in space, parametrised by arc length, and the smooth curve through its points (cubic
+/// Hermite pieces, kinks kept).
+template <int D> class Polyline_curve {
 public:
-  using Point = Eigen::Vector2d;
+  using Point = Eigen::Matrix<double, D, 1>;
 
   /// A closed curve repeats its first point at the end; its positions are understood modulo the length.
   Polyline_curve(std::vector<Point> points, bool closed, int curve)

@@ -19,16 +19,17 @@ namespace internal::extraction {
 ///
 /// The points of arcs are shared by the patches, so the mesh is conforming by construction. Positions: on curves
 /// exactly; elsewhere where the map puts them, blended to the points that the collapse has moved.
-class Quad_assembly {
+template <int D> class Quad_assembly {
 public:
-  using Point = Indexed_quads::Point;
+  using Point = Eigen::Matrix<double, D, 1>;
+  using Place = typename Layout_geometry<D>::Place;
 
-  Quad_assembly(const Quad_layout& layout, const Collapsed_layout& collapsed, const Layout_geometry& geometry)
+  Quad_assembly(const Quad_layout& layout, const Collapsed_layout& collapsed, const Layout_geometry<D>& geometry)
       : m_layout(layout), m_collapsed(collapsed), m_geometry(geometry), m_chains(layout, collapsed, geometry)
   {
   }
 
-  Indexed_quads build()
+  Indexed_quads<D> build()
   {
     m_quads.curves = m_chains.curves();
     add_vertices();
@@ -85,9 +86,9 @@ private:
         if (at(is_placed, v))
           continue;
         const double fraction = double(i) / m_collapsed.length(a);
-        at(between, v)
-            .add(m_geometry.point_on_arc(2 * a, fraction * at(m_layout.arcs, a).length) + (1 - fraction) * start +
-                 fraction * end);
+        const Place place = m_geometry.place_on_arc(2 * a, fraction * at(m_layout.arcs, a).length);
+        at(m_quads.vertices, v).face = place.face;
+        at(between, v).add(place.point + (1 - fraction) * start + fraction * end);
       }
     }
     for (int v = 0; v < size_of(between); ++v)
@@ -95,9 +96,9 @@ private:
         at(m_quads.points, v) = at(between, v).value();
   }
 
-  void put_on_curve(int v, const Curve_chains::Place& place, bool border)
+  void put_on_curve(int v, const typename Curve_chains<D>::Place& place, bool border)
   {
-    Indexed_quads::Vertex& vertex = at(m_quads.vertices, v);
+    typename Indexed_quads<D>::Vertex& vertex = at(m_quads.vertices, v);
     vertex.constrained = true;
     vertex.border = border;
     vertex.quadrants = border ? 2 : 4;
@@ -111,7 +112,8 @@ private:
     const Quad_layout::Node& node = at(m_layout.nodes, i);
     const int v = m_collapsed.vertex(i);
     at(nodes, v).add(m_geometry.point(node.point));
-    Indexed_quads::Vertex& vertex = at(m_quads.vertices, v);
+    at(m_quads.vertices, v).face = node.point.face;
+    typename Indexed_quads<D>::Vertex& vertex = at(m_quads.vertices, v);
     vertex.border = vertex.border || node.border;
     if (node.critical) {
       vertex.constrained = node.constrained;
@@ -162,6 +164,7 @@ private:
     std::vector<double> y; ///< and of the rows
     std::vector<int> id;
     std::vector<Point> in_map;
+    std::vector<int> face; ///< of the inner points
 
     int index(int i, int j) const { return j * (m + 1) + i; }
   };
@@ -177,6 +180,7 @@ private:
     set_sides(p, grid);
     sample(p, grid);
     add_inner_vertices(grid);
+    add_centers(p, grid);
     for (int j = 0; j < grid.n; ++j)
       for (int i = 0; i < grid.m; ++i) {
         const std::array<int, 4> corner = {grid.index(i, j), grid.index(i + 1, j), grid.index(i + 1, j + 1),
@@ -238,6 +242,7 @@ private:
   void sample(int p, Grid& grid) const
   {
     grid.in_map.resize(grid.id.size());
+    grid.face.resize(grid.id.size(), -1);
     for (int i = 0; i <= grid.m; ++i) {
       at(grid.in_map, grid.index(i, 0)) = point_on_side(p, 0, at(grid.x, i));
       at(grid.in_map, grid.index(i, grid.n)) = point_on_side(p, 2, grid.x.back() - at(grid.x, i));
@@ -247,12 +252,31 @@ private:
       at(grid.in_map, grid.index(0, j)) = point_on_side(p, 3, grid.y.back() - at(grid.y, j));
     }
     const std::vector<double> heights(grid.y.begin() + 1, grid.y.end() - 1);
-    std::vector<Point> column;
+    std::vector<Place> column;
     for (int i = 1; i < grid.m && grid.n > 1; ++i) {
       const auto [h, x] = find_on_side(at(m_layout.patches, p).sides[0], at(grid.x, i));
       m_geometry.sample(h, x, heights, column);
-      for (int j = 1; j < grid.n; ++j)
-        at(grid.in_map, grid.index(i, j)) = at(column, j - 1);
+      for (int j = 1; j < grid.n; ++j) {
+        at(grid.in_map, grid.index(i, j)) = at(column, j - 1).point;
+        at(grid.face, grid.index(i, j)) = at(column, j - 1).face;
+      }
+    }
+  }
+
+  /// The triangles at the quads' centres.
+  void add_centers(int p, const Grid& grid)
+  {
+    const std::size_t first = m_quads.face.size();
+    m_quads.face.resize(first + std::size_t(grid.m * grid.n));
+    std::vector<double> heights;
+    for (int j = 0; j < grid.n; ++j)
+      heights.push_back((at(grid.y, j) + at(grid.y, j + 1)) / 2);
+    std::vector<Place> column;
+    for (int i = 0; i < grid.m; ++i) {
+      const auto [h, x] = find_on_side(at(m_layout.patches, p).sides[0], (at(grid.x, i) + at(grid.x, i + 1)) / 2);
+      m_geometry.sample(h, x, heights, column);
+      for (int j = 0; j < grid.n; ++j)
+        m_quads.face[first + std::size_t(j * grid.m + i)] = at(column, j).face;
     }
   }
 
@@ -274,14 +298,15 @@ private:
         at(grid.id, grid.index(i, j)) = size_of(m_quads.points);
         m_quads.points.push_back(at(grid.in_map, grid.index(i, j)) + blended);
         m_quads.vertices.emplace_back();
+        m_quads.vertices.back().face = at(grid.face, grid.index(i, j));
       }
   }
 
   const Quad_layout& m_layout;
   const Collapsed_layout& m_collapsed;
-  const Layout_geometry& m_geometry;
-  Curve_chains m_chains;
-  Indexed_quads m_quads;
+  const Layout_geometry<D>& m_geometry;
+  Curve_chains<D> m_chains;
+  Indexed_quads<D> m_quads;
 };
 
 } // namespace internal::extraction

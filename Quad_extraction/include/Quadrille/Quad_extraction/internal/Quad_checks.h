@@ -5,13 +5,14 @@
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_QUAD_CHECKS_H
 
 #include <Quadrille/Quad_extraction/internal/Indexed_quads.h>
-#include <Quadrille/Quad_extraction/internal/Seamless_map.h>
+#include <Quadrille/Quad_extraction/internal/Quad_ground.h>
 #include <Quadrille/Support/internal/segment_intersections.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -20,24 +21,12 @@
 namespace Quadrille {
 namespace internal::extraction {
 
-/// Are all four corners strictly convex and counterclockwise? Exact.
-inline bool is_convex(const std::vector<Eigen::Vector2d>& points, const std::array<int, 4>& quad)
-{
-  for (int i = 0; i < 4; ++i) {
-    const auto corner = [&](int k) -> Uv {
-      const Eigen::Vector2d& p = at(points, at(quad, (i + k) % 4));
-      return {p.x(), p.y()};
-    };
-    if (orientation_sign(corner(0), corner(1), corner(3)) <= 0)
-      return false;
-  }
-  return true;
-}
-
 /// What every extracted mesh must satisfy, checked in release builds too. \throws No_result_error("mesh", ...).
-class Quad_checks {
+template <int D> class Quad_checks {
 public:
-  explicit Quad_checks(const Indexed_quads& quads) : m_quads(quads) {}
+  using Point = Eigen::Matrix<double, D, 1>;
+
+  explicit Quad_checks(const Indexed_quads<D>& quads) : m_quads(quads) {}
 
   void check_topology() const
   {
@@ -68,7 +57,7 @@ public:
           fail(q, "touches another part of the border in a vertex");
         at(has_border_edge, a) = 1;
       }
-    for (const Indexed_quads::Curve_edge& edge : m_quads.curve_edges) {
+    for (const typename Indexed_quads<D>::Curve_edge& edge : m_quads.curve_edges) {
       const bool left = quad_of_edge.count(key(edge.source, edge.target)) > 0;
       const bool right = quad_of_edge.count(key(edge.target, edge.source)) > 0;
       if (!left || right == edge.border)
@@ -84,28 +73,31 @@ public:
                                           std::to_string(at(m_quads.vertices, v).quadrants) + " right angles");
   }
 
-  /// Convex quads and a border that does not meet itself: then the quads do not overlap.
-  void check_geometry() const
+  /// No inverted quads (`is_inverted` by quad), and in the plane a border that does not meet itself: then the quads do
+  /// not overlap.
+  void check_geometry(const std::vector<char>& is_inverted) const
   {
     for (int q = 0; q < size_of(m_quads.quads); ++q)
-      if (!is_convex(m_quads.points, at(m_quads.quads, q)))
+      if (at(is_inverted, q))
         fail(q, "has a corner that is not strictly convex; smaller elements there may help");
     const std::vector<int> edges = conflicting_border_edges();
     if (edges.empty())
       return;
-    const Indexed_quads::Curve_edge& edge = at(m_quads.curve_edges, edges.front());
-    const Eigen::Vector2d center = (at(m_quads.points, edge.source) + at(m_quads.points, edge.target)) / 2;
-    throw No_result_error("mesh", "the element's straight side on curve " + std::to_string(edge.curve) + " near (" +
-                                      std::to_string(center.x()) + ", " + std::to_string(center.y()) +
-                                      ") meets another part of the border: the elements are too large for a gap there; "
+    const typename Indexed_quads<D>::Curve_edge& edge = at(m_quads.curve_edges, edges.front());
+    throw No_result_error("mesh", "the element's straight side on curve " + std::to_string(edge.curve) + " near " +
+                                      text((at(m_quads.points, edge.source) + at(m_quads.points, edge.target)) / 2) +
+                                      " meets another part of the border: the elements are too large for a gap there; "
                                       "ask for smaller ones");
   }
 
-  /// Edges of `curve_edges` on the border that meet another one elsewhere than in a common end, in order. Exact.
+  /// Edges of `curve_edges` on the border that meet another one elsewhere than in a common end, in order. Exact. Of
+  /// surfaces in space: none.
   std::vector<int> conflicting_border_edges() const
   {
+    if constexpr (D == 3)
+      return {};
     std::vector<Segment_kernel::Point_2> points;
-    for (const Eigen::Vector2d& p : m_quads.points)
+    for (const Point& p : m_quads.points)
       points.emplace_back(p.x(), p.y());
     std::vector<Numbered_segment> segments;
     std::vector<int> index;
@@ -126,7 +118,7 @@ public:
   std::map<int, int> irregular_vertices() const
   {
     std::map<int, int> count;
-    for (const Indexed_quads::Vertex& vertex : m_quads.vertices)
+    for (const typename Indexed_quads<D>::Vertex& vertex : m_quads.vertices)
       if (!vertex.border && vertex.quadrants != 4)
         ++count[vertex.quadrants];
     return count;
@@ -135,14 +127,23 @@ public:
 private:
   [[noreturn]] void fail(int q, const std::string& what) const
   {
-    Eigen::Vector2d center = Eigen::Vector2d::Zero();
+    Point center = Point::Zero();
     for (const int v : at(m_quads.quads, q))
       center += 0.25 * at(m_quads.points, v);
-    throw No_result_error("mesh", "quad " + std::to_string(q) + " near (" + std::to_string(center.x()) + ", " +
-                                      std::to_string(center.y()) + ") " + what);
+    throw No_result_error("mesh", "quad " + std::to_string(q) + " near " + text(center) + " " + what);
   }
 
-  const Indexed_quads& m_quads;
+  static std::string text(const Point& p)
+  {
+    std::ostringstream result;
+    result << '(' << p[0];
+    for (int i = 1; i < D; ++i)
+      result << ", " << p[i];
+    result << ')';
+    return result.str();
+  }
+
+  const Indexed_quads<D>& m_quads;
 };
 
 } // namespace internal::extraction

@@ -4,7 +4,7 @@
 #ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_QUAD_SHAPE_TERM_H
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_QUAD_SHAPE_TERM_H
 
-#include <Quadrille/Quad_extraction/internal/Indexed_quads.h>
+#include <Quadrille/Quad_extraction/internal/Quad_ground.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -14,7 +14,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,23 +44,25 @@ struct Curve_step {
 /// are not yet in place pass each other, or leave the curve at its ends, and not find back.
 ///
 /// Unknowns: two coordinates of a free vertex, the arc length of a vertex on a curve, none of a fixed one; all in units
-/// of a given length.
-class Quad_shape_term {
+/// of a given length. In space the two coordinates are those of the displacement in the vertex's tangents, and quads
+/// are seen in their planes (`Quad_frames`).
+template <int D> class Quad_shape_term {
 public:
   static constexpr int max_residuals = 16;
   static constexpr int max_unknowns = 8;
   using Unknowns = Eigen::Matrix<double, max_unknowns, 1>;
   using Residuals = Eigen::Matrix<double, max_residuals, 1>;
   using Jacobian = Eigen::Matrix<double, max_residuals, max_unknowns>;
-  using Point = Eigen::Vector2d;
+  using Point = Eigen::Matrix<double, D, 1>;
+  using Point_in_plane = Eigen::Vector2d;
 
   enum class Motion : char { fixed, on_curve, free };
 
-  /// \pre `quads` outlives the term; `motion` by vertex. Its points are the positions of fixed vertices. Of `steps`,
-  /// those between vertices that slide count.
-  Quad_shape_term(const Indexed_quads& quads, std::vector<Motion> motion, double unit, double theta, double omega,
-                  const std::vector<Curve_step>& steps = {})
-      : m_quads(&quads), m_motion(std::move(motion)), m_first(m_motion.size(), -1), m_unit(unit),
+  /// \pre `quads` and `frames` outlive the term; `motion` by vertex. Its points are the positions of fixed vertices,
+  /// and in space those from which the others are displaced. Of `steps`, those between vertices that slide count.
+  Quad_shape_term(const Indexed_quads<D>& quads, const Quad_frames<D>& frames, std::vector<Motion> motion, double unit,
+                  double theta, double omega, const std::vector<Curve_step>& steps = {})
+      : m_quads(&quads), m_frames(&frames), m_motion(std::move(motion)), m_first(m_motion.size(), -1), m_unit(unit),
         m_sqrt_theta(std::sqrt(theta)), m_sqrt_omega(std::sqrt(omega))
   {
     std::copy_if(steps.begin(), steps.end(), std::back_inserter(m_steps),
@@ -92,7 +93,7 @@ public:
     Eigen::VectorXd x(m_n_unknowns);
     for (int v = 0; v < size_of(m_motion); ++v) {
       if (at(m_motion, v) == Motion::free)
-        x.segment<2>(at(m_first, v)) = at(m_quads->points, v) / m_unit;
+        x.segment<2>(at(m_first, v)) = unknowns_of_free(v);
       else if (at(m_motion, v) == Motion::on_curve)
         x[at(m_first, v)] = at(m_quads->vertices, v).position / m_unit;
     }
@@ -100,11 +101,11 @@ public:
   }
 
   /// Writes positions (of vertices on curves: those on the smooth curve) and arc lengths back into a mesh.
-  void store(const Eigen::VectorXd& x, Indexed_quads& quads) const
+  void store(const Eigen::VectorXd& x, Indexed_quads<D>& quads) const
   {
     for (int v = 0; v < size_of(m_motion); ++v) {
       if (at(m_motion, v) == Motion::free) {
-        at(quads.points, v) = x.segment<2>(at(m_first, v)) * m_unit;
+        at(quads.points, v) = free_point(v, x.segment<2>(at(m_first, v))) * m_unit;
       } else if (at(m_motion, v) == Motion::on_curve) {
         at(quads.vertices, v).position = x[at(m_first, v)] * m_unit;
         at(quads.points, v) = on_curve(v, x[at(m_first, v)]).first * m_unit;
@@ -115,13 +116,13 @@ public:
   /// The least determinant of the corners of quad `q`.
   double min_determinant(std::size_t q, const Eigen::VectorXd& x) const
   {
-    std::array<Point, 4> p;
+    std::array<Point_in_plane, 4> p;
     for (std::size_t i = 0; i < 4; ++i) {
       const int v = m_quads->quads[q][i];
       const int first = at(m_first, v);
-      p[i] = at(m_motion, v) == Motion::free       ? Point(x.segment<2>(first))
-             : at(m_motion, v) == Motion::on_curve ? on_curve(v, x[first]).first
-                                                   : Point(at(m_quads->points, v) / m_unit);
+      p[i] = in_plane(q, at(m_motion, v) == Motion::free       ? free_point(v, x.segment<2>(first))
+                         : at(m_motion, v) == Motion::on_curve ? on_curve(v, x[first]).first
+                                                               : Point(at(m_quads->points, v) / m_unit));
     }
     double least = corner(q, 0, p).determinant();
     for (std::size_t i = 1; i < 4; ++i)
@@ -160,19 +161,22 @@ public:
   {
     if (q >= m_quads->quads.size())
       return evaluate_step(q, x, r, jacobian);
-    std::array<Point, 4> p;
-    std::array<Point, 4> tangent = {};
+    std::array<Point_in_plane, 4> p;
+    std::array<Point_in_plane, 4> tangent = {};
     std::array<int, 4> column = {};
     int n = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       const int v = m_quads->quads[q][i];
       column[i] = n;
-      if (at(m_motion, v) == Motion::free)
-        p[i] = x.segment<2>(n);
-      else if (at(m_motion, v) == Motion::on_curve)
-        std::tie(p[i], tangent[i]) = on_curve(v, x[n]);
-      else
-        p[i] = at(m_quads->points, v) / m_unit;
+      if (at(m_motion, v) == Motion::free) {
+        p[i] = in_plane(q, free_point(v, x.template segment<2>(n)));
+      } else if (at(m_motion, v) == Motion::on_curve) {
+        const auto [point, direction] = on_curve(v, x[n]);
+        p[i] = in_plane(q, point);
+        tangent[i] = in_plane(q, direction);
+      } else {
+        p[i] = in_plane(q, at(m_quads->points, v) / m_unit);
+      }
       n += dimension(v);
     }
     if (jacobian)
@@ -189,7 +193,7 @@ public:
       const Eigen::Vector4d residual(scale * (J(0, 0) - J(1, 1)), scale * (J(0, 1) + J(1, 0)),
                                      scale * m_sqrt_theta * (1 - det), angle_scale * J.col(0).dot(J.col(1)));
       const int row = 4 * static_cast<int>(i);
-      r.segment<4>(row) = residual;
+      r.template segment<4>(row) = residual;
       if (!jacobian)
         continue;
       // d(chi) / d(det) = chi / root, and the residuals are proportional to chi^(-1/2), the last one to 1 / chi.
@@ -197,9 +201,9 @@ public:
       const auto add = [&](std::size_t corner_index, const Eigen::Matrix<double, 4, 2>& derivative) {
         const int v = m_quads->quads[q][corner_index];
         if (at(m_motion, v) == Motion::free)
-          jacobian->block<4, 2>(row, column[corner_index]) += derivative;
+          jacobian->template block<4, 2>(row, column[corner_index]) += by_unknowns(q, v, derivative);
         else if (at(m_motion, v) == Motion::on_curve)
-          jacobian->block<4, 1>(row, column[corner_index]) += derivative * tangent[corner_index];
+          jacobian->template block<4, 1>(row, column[corner_index]) += derivative * tangent[corner_index];
       };
       const std::array<double, 2> lengths = sides(q, i);
       Eigen::Matrix<double, 4, 2> by_next; // derivative by the other end of the side that leaves the corner
@@ -220,6 +224,41 @@ public:
   }
 
 private:
+  Eigen::Vector2d unknowns_of_free(int v) const
+  {
+    if constexpr (D == 2)
+      return at(m_quads->points, v) / m_unit;
+    else
+      return Eigen::Vector2d::Zero();
+  }
+
+  /// In units.
+  Point free_point(int v, const Eigen::Vector2d& x) const
+  {
+    if constexpr (D == 2)
+      return x;
+    else
+      return at(m_quads->points, v) / m_unit + at(m_frames->tangent, v) * x;
+  }
+
+  Point_in_plane in_plane([[maybe_unused]] std::size_t q, const Point& p) const
+  {
+    if constexpr (D == 2)
+      return p;
+    else
+      return m_frames->plane[q] * p;
+  }
+
+  /// From derivatives by the position in the quad's plane to those by the unknowns of free vertex `v`.
+  Eigen::Matrix<double, 4, 2> by_unknowns([[maybe_unused]] std::size_t q, [[maybe_unused]] int v,
+                                          const Eigen::Matrix<double, 4, 2>& by_position) const
+  {
+    if constexpr (D == 2)
+      return by_position;
+    else
+      return by_position * (m_frames->plane[q] * at(m_frames->tangent, v));
+  }
+
   /// chi, for root = sqrt(eps^2 + det^2).
   double regularised(double det, double root) const
   {
@@ -280,7 +319,7 @@ private:
     return {target[i % 2] / m_unit, target[1 - i % 2] / m_unit};
   }
 
-  Eigen::Matrix2d corner(std::size_t q, std::size_t i, const std::array<Point, 4>& p) const
+  Eigen::Matrix2d corner(std::size_t q, std::size_t i, const std::array<Point_in_plane, 4>& p) const
   {
     const std::array<double, 2> lengths = sides(q, i);
     Eigen::Matrix2d J;
@@ -289,7 +328,8 @@ private:
     return J;
   }
 
-  const Indexed_quads* m_quads;
+  const Indexed_quads<D>* m_quads;
+  const Quad_frames<D>* m_frames;
   std::vector<Curve_step> m_steps;
   std::vector<Motion> m_motion;
   std::vector<int> m_first; ///< by vertex: its first unknown

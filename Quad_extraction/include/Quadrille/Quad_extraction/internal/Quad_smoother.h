@@ -20,13 +20,19 @@ namespace Quadrille {
 namespace internal::extraction {
 
 /// Untangles and smooths an `Indexed_quads` mesh.
-class Quad_smoother {
+///
+/// In space vertices move in tangent planes, and are put back onto the surface after some steps: so there are several
+/// rounds of what is done once in the plane.
+template <int D> class Quad_smoother {
 public:
-  using Point = Indexed_quads::Point;
-  using Motion = Quad_shape_term::Motion;
+  using Point = Eigen::Matrix<double, D, 1>;
+  using Motion = typename Quad_shape_term<D>::Motion;
 
-  Quad_smoother(Indexed_quads& quads, const Quad_smoothing_options& options) : m_quads(quads), m_options(options)
+  /// The arguments must outlive the object.
+  Quad_smoother(Indexed_quads<D>& quads, const Quad_ground<D>& ground, const Quad_smoothing_options& options)
+      : m_quads(quads), m_ground(ground), m_options(options)
   {
+    m_ground.put_back(quads);
     double sum = 0;
     for (const auto& target : quads.target)
       sum += target[0] + target[1];
@@ -38,8 +44,9 @@ public:
   /// quads stay valid), and the others adapt. Quads that cannot be untangled are left where the attempt ended.
   template <class Projector> Quad_smoothing_report run(const Projector& project)
   {
+    m_frames = m_ground.frames(m_quads);
     fit_targets_to_area();
-    if (!optimize(motions(true), m_options.max_iterations))
+    if (!optimize(motions(true)))
       return m_report; // with vertices that cannot even slide it would be harder
     const std::vector<Point> smooth = m_quads.points;
     for (int v = 0; v < size_of(m_quads.vertices); ++v)
@@ -48,11 +55,13 @@ public:
             at(m_quads.curves, at(m_quads.vertices, v).chain).point(at(m_quads.vertices, v).position);
     project_onto_curves(project);
     if (is_changed(smooth))
-      optimize(motions(false), m_options.max_iterations);
+      optimize(motions(false));
     return m_report;
   }
 
 private:
+  using Term = Quad_shape_term<D>;
+
   /// The steps between neighbours on each curve. Wanted are the lengths that they have, but no very short ones.
   void find_steps()
   {
@@ -67,7 +76,7 @@ private:
         continue;
       const auto position = [this](int v) { return at(m_quads.vertices, v).position; };
       std::stable_sort(order.begin(), order.end(), [&](int v, int w) { return position(v) < position(w); });
-      const Polyline_curve& curve = at(m_quads.curves, c);
+      const Polyline_curve<D>& curve = at(m_quads.curves, c);
       const double mean = curve.length() / double(order.size() + (curve.is_closed() ? 0 : 1));
       const auto add = [&](int source, int target, double offset) {
         const double length = (target < 0 ? 0 : position(target)) - (source < 0 ? 0 : position(source)) + offset;
@@ -88,7 +97,7 @@ private:
   std::vector<Motion> motions(bool slide) const
   {
     std::vector<Motion> motion;
-    for (const Indexed_quads::Vertex& vertex : m_quads.vertices)
+    for (const typename Indexed_quads<D>::Vertex& vertex : m_quads.vertices)
       motion.push_back(!vertex.constrained          ? Motion::free
                        : vertex.chain >= 0 && slide ? Motion::on_curve
                                                     : Motion::fixed);
@@ -104,7 +113,7 @@ private:
       for (const int v : at(m_quads.quads, q))
         if ((at(m_quads.points, v) - at(before, v)).norm() > small * std::min(target[0], target[1]))
           return true;
-      if (!is_convex(m_quads.points, at(m_quads.quads, q)))
+      if (m_ground.is_inverted(m_quads, q))
         return true;
     }
     return false;
@@ -120,7 +129,7 @@ private:
       const auto& quad = m_quads.quads[q];
       const Point diagonal = at(m_quads.points, quad[2]) - at(m_quads.points, quad[0]);
       const Point other = at(m_quads.points, quad[3]) - at(m_quads.points, quad[1]);
-      actual += 0.5 * (diagonal.x() * other.y() - diagonal.y() * other.x());
+      actual += 0.5 * signed_area(q, diagonal, other);
     }
     if (!(actual > 0))
       throw Invalid_input_error("the quads to be smoothed are not oriented counterclockwise");
@@ -129,16 +138,45 @@ private:
       target = {factor * target[0], factor * target[1]};
   }
 
+  /// Of the parallelogram with these sides, seen in the plane of quad `q`.
+  double signed_area([[maybe_unused]] std::size_t q, const Point& a, const Point& b) const
+  {
+    Eigen::Matrix2d sides;
+    if constexpr (D == 2)
+      sides << a, b;
+    else
+      sides << m_frames.plane[q] * a, m_frames.plane[q] * b;
+    return sides.determinant();
+  }
+
   /// Returns false if there are quads that cannot be untangled.
-  bool optimize(const std::vector<Motion>& motion, int max_iterations)
+  bool optimize(const std::vector<Motion>& motion)
+  {
+    if constexpr (D == 2) {
+      return optimize_in_frames(motion, m_options.max_iterations);
+    } else {
+      bool is_valid = false;
+      for (int round = 0; round < m_options.surface_rounds; ++round) {
+        const std::vector<Point> before = m_quads.points;
+        is_valid = optimize_in_frames(motion, m_options.surface_iterations);
+        m_ground.put_back(m_quads);
+        m_frames = m_ground.frames(m_quads);
+        if (!is_changed(before))
+          break;
+      }
+      return is_valid;
+    }
+  }
+
+  bool optimize_in_frames(const std::vector<Motion>& motion, int max_iterations)
   {
     if (!untangle(motion))
       return false;
-    Quad_shape_term term(m_quads, motion, m_unit, m_options.size_weight, m_options.angle_weight);
+    Term term(m_quads, m_frames, motion, m_unit, m_options.size_weight, m_options.angle_weight);
     if (term.number_of_unknowns() == 0)
       return true;
     Eigen::VectorXd x = term.unknowns();
-    Element_least_squares<Quad_shape_term> problem(term, std::size_t(term.number_of_unknowns()), m_options.threads);
+    Element_least_squares<Term> problem(term, std::size_t(term.number_of_unknowns()), m_options.threads);
     Levenberg_marquardt_options options = minimizer_options();
     options.groups = term.unknowns_of_vertices();
     options.relative_decrease = m_options.relative_decrease;
@@ -165,20 +203,25 @@ private:
   {
     constexpr int first_rings = 3;
     constexpr int growth = 4;
-    const Quad_shape_term all(m_quads, motion, m_unit, 1, 0);
+    const Term all(m_quads, m_frames, motion, m_unit, 1, 0);
     all.store(all.unknowns(), m_quads); // sliding vertices onto the smooth curves
     for (int rings = first_rings;; rings *= growth) {
       const std::vector<std::vector<int>> places = places_around_inverted(motion, rings);
       bool done = true;
       for (const std::vector<int>& place : places) {
-        Indexed_quads local = m_quads;
+        Indexed_quads<D> local = m_quads;
         local.quads.clear();
         local.target.clear();
+        Quad_frames<D> frames = m_frames;
+        if constexpr (D == 3)
+          frames.plane.clear();
         for (const int q : place) {
           local.quads.push_back(at(m_quads.quads, q));
           local.target.push_back(at(m_quads.target, q));
+          if constexpr (D == 3)
+            frames.plane.push_back(at(m_frames.plane, q));
         }
-        done = untangle(local, motion_inside(local, motion)) && done;
+        done = untangle(local, frames, motion_inside(local, motion)) && done;
       }
       if (done || rings * growth > m_options.max_untangling_rings)
         return done;
@@ -188,7 +231,7 @@ private:
   /// The quads within `rings` rings around those with corners that are not positive, by connected sets.
   std::vector<std::vector<int>> places_around_inverted(const std::vector<Motion>& motion, int rings) const
   {
-    const Quad_shape_term term(m_quads, motion, m_unit, 1, 0);
+    const Term term(m_quads, m_frames, motion, m_unit, 1, 0);
     const Eigen::VectorXd x = term.unknowns();
     std::vector<int> inverted;
     for (int q = 0; q < size_of(m_quads.quads); ++q)
@@ -228,7 +271,7 @@ private:
   }
 
   /// Vertices that have quads outside `local` are kept.
-  std::vector<Motion> motion_inside(const Indexed_quads& local, std::vector<Motion> motion) const
+  std::vector<Motion> motion_inside(const Indexed_quads<D>& local, std::vector<Motion> motion) const
   {
     std::vector<int> quads_elsewhere(motion.size(), 0);
     for (const auto& quad : m_quads.quads)
@@ -247,9 +290,9 @@ private:
   /// when the least determinant has not come nearer to 0 for a while: then something is in the way that no motion of
   /// these vertices removes. (It creeps towards 0 in vain as well, because eps does; the number of rounds ends that.)
   /// Then vertices stay where they were unless fewer quads are inverted: what is not in the way should not suffer.
-  bool untangle(const Indexed_quads& local, const std::vector<Motion>& motion)
+  bool untangle(const Indexed_quads<D>& local, const Quad_frames<D>& frames, const std::vector<Motion>& motion)
   {
-    Quad_shape_term term(local, motion, m_unit, m_options.size_weight, m_options.angle_weight, m_steps);
+    Term term(local, frames, motion, m_unit, m_options.size_weight, m_options.angle_weight, m_steps);
     if (term.number_of_unknowns() == 0)
       return false;
     Eigen::VectorXd x = term.unknowns();
@@ -257,7 +300,7 @@ private:
     // Threads take longer to start than small places to evaluate.
     constexpr std::size_t small = 8192;
     const int threads = local.quads.size() < small ? 1 : m_options.threads;
-    Element_least_squares<Quad_shape_term> problem(term, std::size_t(term.number_of_unknowns()), threads);
+    Element_least_squares<Term> problem(term, std::size_t(term.number_of_unknowns()), threads);
     Levenberg_marquardt_options options = minimizer_options();
     options.max_iterations = m_options.untangling_iterations;
     options.relative_decrease = 1e-4;
@@ -289,7 +332,7 @@ private:
     return false;
   }
 
-  static int number_of_inverted(const Quad_shape_term& term, const Indexed_quads& quads, const Eigen::VectorXd& x)
+  static int number_of_inverted(const Term& term, const Indexed_quads<D>& quads, const Eigen::VectorXd& x)
   {
     int n = 0;
     for (std::size_t q = 0; q < quads.quads.size(); ++q)
@@ -317,7 +360,7 @@ private:
         continue;
       at(m_quads.points, v) = after;
       const bool valid = std::all_of(at(quads_of, v).begin(), at(quads_of, v).end(),
-                                     [this](int q) { return is_convex(m_quads.points, at(m_quads.quads, q)); });
+                                     [this](int q) { return !m_ground.is_inverted(m_quads, q); });
       if (!after.allFinite() || !valid) {
         at(m_quads.points, v) = before;
         ++m_report.unprojected_vertices;
@@ -325,13 +368,15 @@ private:
         ++n_moved;
       }
     }
-    if (n_moved == 0 || Quad_checks(m_quads).conflicting_border_edges().empty())
+    if (n_moved == 0 || Quad_checks<D>(m_quads).conflicting_border_edges().empty())
       return;
     m_quads.points = on_polylines;
     m_report.unprojected_vertices += n_moved;
   }
 
-  Indexed_quads& m_quads;
+  Indexed_quads<D>& m_quads;
+  const Quad_ground<D>& m_ground;
+  Quad_frames<D> m_frames;
   Quad_smoothing_options m_options;
   double m_unit = 1;
   std::vector<Curve_step> m_steps;

@@ -19,7 +19,7 @@ namespace internal::extraction {
 ///
 /// A trace that arrives at a layout vertex uses up the port it arrives through, so no isoline is traced twice. A border
 /// or feature loop that has no layout vertex and on one side meets no trace gets a seed, so that every loop carries a
-/// node and no patch is a ring.
+/// node and no patch is a ring. So does a closed component that has neither (a torus).
 class Separatrices {
 public:
   /// `kept`: as for `Layout_vertices`. `max_steps`: as for `Isoline_tracer`.
@@ -35,6 +35,10 @@ public:
         m_vertices.add_seed(seed_of(loop));
         trace_ports(m_vertices.size() - 1);
       }
+    for (const int v : vertices_of_bare_components()) {
+      m_vertices.add_seed(v);
+      trace_ports(m_vertices.size() - 1);
+    }
     if (m_kind == Layout_kind::t_mesh)
       m_traces = m_motorcycles.take_traces();
   }
@@ -82,6 +86,34 @@ private:
     const auto is_hit_behind = [&](int h) { return is_hit(m_map->mesh().opposite(h)); };
     return std::none_of(loop.begin(), loop.end(), is_hit) ||
            (!m_map->mesh().is_boundary(loop.front()) && std::none_of(loop.begin(), loop.end(), is_hit_behind));
+  }
+
+  /// The vertex of lowest index of each component without a layout vertex.
+  std::vector<int> vertices_of_bare_components() const
+  {
+    const Indexed_triangulation& mesh = m_map->mesh();
+    std::vector<int> result;
+    std::vector<char> visited(std::size_t(mesh.number_of_faces()), 0);
+    for (int start = 0; start < mesh.number_of_faces(); ++start) {
+      if (at(visited, start))
+        continue;
+      std::vector<int> faces = {start};
+      at(visited, start) = 1;
+      bool is_bare = true;
+      int lowest = mesh.triangle(start)[0];
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        for (int h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
+          is_bare = is_bare && m_vertices.index(mesh.source(h)) < 0;
+          lowest = std::min(lowest, mesh.source(h));
+          if (mesh.is_boundary(h) || at(visited, Indexed_triangulation::face(mesh.opposite(h))))
+            continue;
+          faces.push_back(Indexed_triangulation::face(mesh.opposite(h)));
+          at(visited, faces.back()) = 1;
+        }
+      if (is_bare)
+        result.push_back(lowest);
+    }
+    return result;
   }
 
   /// The vertex of lowest index at which no trace has ended.

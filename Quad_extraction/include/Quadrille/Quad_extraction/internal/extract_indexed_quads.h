@@ -32,15 +32,18 @@ inline void report_progress(const Quad_extraction_options& options, const char* 
     options.observer->report(stage, fraction);
 }
 
-/// By vertex: does a curve turn there by more than `degrees` in the plane, though it goes straight on in the map?
-inline std::vector<char> kinks(const Seamless_map& map, const std::vector<Eigen::Vector2d>& points, double degrees)
+/// By vertex: does a curve turn there by more than `degrees` in the plane or in space, though it goes straight on in
+/// the map?
+template <int D>
+std::vector<char> kinks(const Seamless_map& map, const std::vector<Eigen::Matrix<double, D, 1>>& points, double degrees)
 {
   const Indexed_triangulation& mesh = map.mesh();
   // Directions of the one or two curve edges at each vertex, all away from it; border edges leave and arrive.
-  std::vector<std::vector<Eigen::Vector2d>> away(points.size());
+  std::vector<std::vector<Eigen::Matrix<double, D, 1>>> away(points.size());
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
     if (map.is_constrained(h) && (mesh.is_boundary(h) || h < mesh.opposite(h))) {
-      const Eigen::Vector2d direction = (at(points, mesh.target(h)) - at(points, mesh.source(h))).normalized();
+      const Eigen::Matrix<double, D, 1> direction =
+          (at(points, mesh.target(h)) - at(points, mesh.source(h))).normalized();
       at(away, mesh.source(h)).push_back(direction);
       at(away, mesh.target(h)).push_back(-direction);
     }
@@ -51,9 +54,20 @@ inline std::vector<char> kinks(const Seamless_map& map, const std::vector<Eigen:
   return result;
 }
 
+inline double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+}
+
+inline double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
 /// A sector of k right angles in the map gets k quads, whose angles are below 180 degrees: so the sector must have less
 /// than k times 180 degrees in the plane. \throws No_result_error naming the vertex.
-inline void check_sector_angles(const Seamless_map& map, const std::vector<Eigen::Vector2d>& points)
+template <int D>
+void check_sector_angles(const Seamless_map& map, const std::vector<Eigen::Matrix<double, D, 1>>& points)
 {
   const Indexed_triangulation& mesh = map.mesh();
   const double straight = std::acos(-1.0);
@@ -65,10 +79,10 @@ inline void check_sector_angles(const Seamless_map& map, const std::vector<Eigen
     int right_angles = 0;
     int h = start;
     do { // the corners up to the next curve
-      const Eigen::Vector2d& p = at(points, mesh.source(h));
-      const Eigen::Vector2d a = at(points, mesh.target(h)) - p;
-      const Eigen::Vector2d b = at(points, mesh.source(Indexed_triangulation::prev(h))) - p;
-      angle += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+      const Eigen::Matrix<double, D, 1>& p = at(points, mesh.source(h));
+      const Eigen::Matrix<double, D, 1> a = at(points, mesh.target(h)) - p;
+      const Eigen::Matrix<double, D, 1> b = at(points, mesh.source(Indexed_triangulation::prev(h))) - p;
+      angle += angle_between(a, b);
       right_angles += map.corner_axes(h, axes);
       h = mesh.next_around_source(h);
     } while (h >= 0 && h != start && !map.is_constrained(h));
@@ -125,11 +139,18 @@ inline void judge_quantization(const Quad_extraction_options& options, Quad_extr
                                               " quads; ask for larger elements or raise max_quads");
 }
 
+inline Quad_ground<2> quad_ground(const Seamless_map&, const std::vector<Eigen::Vector2d>&) { return {}; }
+
+inline Quad_ground<3> quad_ground(const Seamless_map& map, const std::vector<Eigen::Vector3d>& points)
+{
+  return {map, points};
+}
+
 /// From index arrays to a quad mesh as index arrays; `extract_quads` without CGAL.
-template <class Quantizer, class Projector>
-Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<Eigen::Vector2d>& points,
-                                    const Quad_extraction_options& options, const Quantizer& quantizer,
-                                    const Projector& project, Quad_extraction_result& result)
+template <int D, class Quantizer, class Projector>
+Indexed_quads<D> extract_indexed_quads(const Seamless_map& map, const std::vector<Eigen::Matrix<double, D, 1>>& points,
+                                       const Quad_extraction_options& options, const Quantizer& quantizer,
+                                       const Projector& project, Quad_extraction_result& result)
 {
   Lap_timer timer;
   report_progress(options, "layout", 0);
@@ -138,12 +159,13 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
       options.max_trace_steps > 0 ? options.max_trace_steps : 4 * std::size_t(map.mesh().number_of_faces()) + 1000;
   result.layout = build_layout(map, kinks(map, points, options.kink_degrees), options.layout, max_steps);
   const Quad_layout& layout = result.layout;
-  const Layout_geometry geometry(map, points, layout);
+  const Layout_geometry<D> geometry(map, points, layout);
+  const Quad_ground<D> ground = quad_ground(map, points);
   for (const Quad_layout::Arc& arc : layout.arcs) {
     result.arc_polylines.emplace_back();
     for (const Quad_layout::Arc_point& p : arc.points) {
-      const Eigen::Vector2d point = geometry.point(p.point);
-      result.arc_polylines.back().push_back({point.x(), point.y()});
+      const Eigen::Matrix<double, D, 1> point = geometry.point(p.point);
+      result.arc_polylines.back().push_back({point[0], point[1], D == 2 ? 0 : point[D - 1]});
     }
   }
   result.layout_seconds += timer.lap();
@@ -151,8 +173,8 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
   Quad_smoothing_options smoothing = options.smoothing;
   smoothing.threads = options.threads;
   smoothing.observer = options.observer;
-  Indexed_quads quads;
-  const Quad_checks checks(quads);
+  Indexed_quads<D> quads;
+  const Quad_checks<D> checks(quads);
   Length_constraints constraints(layout, options.min_loop_edges, options.counts);
   constexpr int max_vain_refinements = 1; // in a row, after which fewer places than ever have to be too coarse
   std::size_t least_places = std::numeric_limits<std::size_t>::max();
@@ -166,18 +188,19 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
     result.quantization_seconds += timer.lap();
 
     report_progress(options, "mesh", 0);
-    quads = Quad_assembly(layout, Collapsed_layout(layout, result.quantization.lengths), geometry).build();
+    quads = Quad_assembly<D>(layout, Collapsed_layout(layout, result.quantization.lengths), geometry).build();
     checks.check_topology();
     result.mesh_seconds += timer.lap();
     if (!options.smooth)
       break;
-    result.smoothing = Quad_smoother(quads, smoothing).run(project);
+    result.smoothing = Quad_smoother<D>(quads, ground, smoothing).run(project);
     result.smoothing.seconds = timer.lap();
     result.mesh_seconds += result.smoothing.seconds;
     result.refinements = attempt;
     if (attempt == options.max_refinements)
       break;
-    const std::size_t n_places = refine_patches(quads, layout, result.quantization.lengths, constraints);
+    const std::size_t n_places =
+        refine_patches(quads, inverted_quads(quads, ground), layout, result.quantization.lengths, constraints);
     if (n_places < least_places)
       best_attempt = attempt;
     least_places = std::min(least_places, n_places);
@@ -185,11 +208,11 @@ Indexed_quads extract_indexed_quads(const Seamless_map& map, const std::vector<E
       break;
   }
   if (options.smooth)
-    checks.check_geometry();
+    checks.check_geometry(inverted_quads(quads, ground));
   result.irregular_vertices = checks.irregular_vertices();
-  for (const Indexed_quads::Vertex& vertex : quads.vertices)
+  for (const typename Indexed_quads<D>::Vertex& vertex : quads.vertices)
     result.vertices.push_back({vertex.input_vertex, vertex.chain < 0 ? -1 : at(quads.curves, vertex.chain).curve()});
-  for (const Indexed_quads::Curve_edge& edge : quads.curve_edges)
+  for (const typename Indexed_quads<D>::Curve_edge& edge : quads.curve_edges)
     result.curve_edges.push_back({edge.source, edge.target, edge.curve, edge.border});
   result.quad_regions = quads.region;
   result.mesh_seconds += timer.lap();

@@ -11,22 +11,42 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace Quadrille {
 namespace internal::extraction {
 
+/// 3 for points that have a `z()`, otherwise 2.
+template <class Point, class = void> struct Dimension_of : std::integral_constant<int, 2> {
+};
+template <class Point>
+struct Dimension_of<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::integral_constant<int, 3> {
+};
+
+template <class Point> Eigen::Matrix<double, Dimension_of<Point>::value, 1> coordinates_of(const Point& p)
+{
+  if constexpr (Dimension_of<Point>::value == 2)
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+  else
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+template <class Point> Point make_point(const Eigen::Vector2d& p) { return Point(p.x(), p.y()); }
+
+template <class Point> Point make_point(const Eigen::Vector3d& p) { return Point(p.x(), p.y(), p.z()); }
+
 /// Adds an indexed quad mesh to a `MutableFaceGraph`.
-template <class QuadMesh> void add_quads(const Indexed_quads& quads, QuadMesh& mesh)
+template <int D, class QuadMesh> void add_quads(const Indexed_quads<D>& quads, QuadMesh& mesh)
 {
   using Traits = boost::graph_traits<QuadMesh>;
   auto point_map = get(CGAL::vertex_point, mesh);
   using Point = typename boost::property_traits<decltype(point_map)>::value_type;
   std::vector<typename Traits::vertex_descriptor> vertices;
-  for (const Indexed_quads::Point& p : quads.points) {
+  for (const auto& p : quads.points) {
     vertices.push_back(add_vertex(mesh));
-    put(point_map, vertices.back(), Point(p.x(), p.y()));
+    put(point_map, vertices.back(), make_point<Point>(p));
   }
   for (const auto& quad : quads.quads) {
     std::vector<typename Traits::vertex_descriptor> corners;
@@ -59,17 +79,17 @@ Quad_extraction_result extract_quads(const TriangleMesh& mesh, VertexPointMap po
   std::vector<int> region;
   for (const auto f : index.face_of)
     region.push_back(get(face_regions, f));
-  std::vector<Eigen::Vector2d> positions;
+  constexpr int D = internal::extraction::Dimension_of<Point>::value;
+  std::vector<Eigen::Matrix<double, D, 1>> positions;
   for (const auto v : index.vertex_of)
-    positions.emplace_back(CGAL::to_double(get(points, v).x()), CGAL::to_double(get(points, v).y()));
+    positions.push_back(internal::extraction::coordinates_of(get(points, v)));
   const internal::extraction::Seamless_map map(index.triangulation, std::move(uv), std::move(curve), std::move(region));
-  const auto project_point = [&](int id, const Eigen::Vector2d& p) -> Eigen::Vector2d {
-    const Point projected = project(id, Point(p.x(), p.y()));
-    return {CGAL::to_double(projected.x()), CGAL::to_double(projected.y())};
+  const auto project_point = [&](int id, const Eigen::Matrix<double, D, 1>& p) {
+    return internal::extraction::coordinates_of(Point(project(id, internal::extraction::make_point<Point>(p))));
   };
   Quad_extraction_result result;
   result.layout_seconds = timer.lap();
-  const internal::extraction::Indexed_quads indexed =
+  const internal::extraction::Indexed_quads<D> indexed =
       internal::extraction::extract_indexed_quads(map, positions, options, quantizer, project_point, result);
   internal::extraction::add_quads(indexed, quads);
   return result;

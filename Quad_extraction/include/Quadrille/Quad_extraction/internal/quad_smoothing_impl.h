@@ -50,7 +50,7 @@ public:
     add_border();
   }
 
-  Indexed_quads quads;
+  Indexed_quads<2> quads;
   std::vector<vertex_descriptor> vertex_of;
 
 private:
@@ -104,7 +104,7 @@ private:
       points.push_back(at(quads.points, v));
       if (is_fixed(target(h, m_mesh)))
         break;
-      Indexed_quads::Vertex& vertex = at(quads.vertices, v);
+      Indexed_quads<2>::Vertex& vertex = at(quads.vertices, v);
       vertex.constrained = vertex.border = true;
       vertex.chain = size_of(quads.curves);
       vertex.position = position;
@@ -126,8 +126,10 @@ Quad_smoothing_report smooth_user_quads(const QuadMesh& mesh, VertexPointMap poi
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   Lap_timer timer;
   Smoothable_mesh<QuadMesh> smoothable(mesh, points, fixed, target);
-  Indexed_quads& quads = smoothable.quads;
-  Quad_smoothing_report report = Quad_smoother(quads, options).run([](int, const Eigen::Vector2d& p) { return p; });
+  Indexed_quads<2>& quads = smoothable.quads;
+  const Quad_ground<2> plane;
+  Quad_smoothing_report report =
+      Quad_smoother<2>(quads, plane, options).run([](int, const Eigen::Vector2d& p) { return p; });
   for (const auto& quad : quads.quads)
     report.inverted_quads += is_convex(quads.points, quad) ? 0 : 1;
   for (int v = 0; v < size_of(quads.points); ++v)

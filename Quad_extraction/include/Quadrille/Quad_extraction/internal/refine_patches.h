@@ -19,15 +19,16 @@ namespace Quadrille {
 namespace internal::extraction {
 
 /// Edges of quads that are too long for the domain: all four of an inverted quad, and edges of the border that meet.
-inline std::set<std::pair<int, int>> too_coarse_edges(const Indexed_quads& quads)
+template <int D>
+std::set<std::pair<int, int>> too_coarse_edges(const Indexed_quads<D>& quads, const std::vector<char>& is_inverted)
 {
   std::set<std::pair<int, int>> result; // quad, number of its edge
   std::set<std::pair<int, int>> crossing;
-  for (const int e : Quad_checks(quads).conflicting_border_edges())
+  for (const int e : Quad_checks<D>(quads).conflicting_border_edges())
     crossing.insert({at(quads.curve_edges, e).source, at(quads.curve_edges, e).target});
   for (int q = 0; q < size_of(quads.quads); ++q) {
     const std::array<int, 4>& quad = at(quads.quads, q);
-    const bool inverted = !is_convex(quads.points, quad);
+    const bool inverted = at(is_inverted, q) != 0;
     for (int i = 0; i < 4 && (inverted || !crossing.empty()); ++i)
       if (inverted || crossing.count({at(quad, i), at(quad, (i + 1) % 4)}))
         result.insert({q, i});
@@ -54,18 +55,19 @@ inline int half_arc_of_edge(const Quad_layout::Patch& patch, const std::vector<i
 }
 
 /// Asks for half as many quads again, at least one, where edges are too long: on the arcs that they are parts of, or
-/// along the patches that they are inside of. Returns the number of such places.
+/// along the patches that they are inside of. `is_inverted` by quad. Returns the number of such places.
 ///
 /// It has to be that arc: a patch would add them elsewhere on its side, and an edge that joins two fixed vertices would
 /// stay.
-inline std::size_t refine_patches(const Indexed_quads& quads, const Quad_layout& layout,
-                                  const std::vector<int>& lengths, Length_constraints& constraints)
+template <int D>
+std::size_t refine_patches(const Indexed_quads<D>& quads, const std::vector<char>& is_inverted,
+                           const Quad_layout& layout, const std::vector<int>& lengths, Length_constraints& constraints)
 {
   std::set<std::vector<int>> places;
   std::vector<int> first_quad(layout.patches.size(), -1);
   for (int q = size_of(quads.quads); q-- > 0;)
     at(first_quad, at(quads.patch, q)) = q;
-  for (const auto& [q, i] : too_coarse_edges(quads)) {
+  for (const auto& [q, i] : too_coarse_edges(quads, is_inverted)) {
     const Quad_layout::Patch& patch = at(layout.patches, at(quads.patch, q));
     const int n_columns = static_cast<int>(sum_of(arcs_of(patch.sides[0]), lengths));
     const int n_rows = static_cast<int>(sum_of(arcs_of(patch.sides[1]), lengths));
