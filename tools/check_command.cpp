@@ -45,7 +45,7 @@ Border_comparison compare_borders(const Labelled_mesh& mesh, const Planar_domain
   const Curve_locator locator(domain);
   for (const std::array<int, 2>& edge : border_edges(mesh)) {
     const auto& p = mesh.points[std::size_t(edge[0])];
-    result.distance_max = std::max(result.distance_max, locator.nearest(p[0], p[1]).distance);
+    result.distance_max = std::max(result.distance_max, locator.nearest({p[0], p[1]}).distance);
   }
   CGAL::Bbox_2 box;
   double area = 0;

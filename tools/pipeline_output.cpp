@@ -22,7 +22,7 @@ Labelled_mesh labelled_quads(const Planar_domain& domain, const Quad_pipeline_re
   const Curve_locator locator(domain);
   for (const Quad_extraction_result::Curve_edge& edge : result.extraction->curve_edges) {
     const auto &p = mesh.points[std::size_t(edge.source)], &q = mesh.points[std::size_t(edge.target)];
-    const auto place = locator.nearest(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), edge.curve);
+    const auto place = locator.nearest({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])}, edge.curve);
     mesh.lines.push_back({edge.source, edge.target});
     mesh.line_curve.push_back(domain.edge_curve[std::size_t(place.edge.idx())]);
   }

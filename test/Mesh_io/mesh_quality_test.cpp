@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Quadrille authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "quad_test_meshes.h"
+
 #include <Quadrille/Mesh_quality.h>
 
 #include <gtest/gtest.h>
@@ -10,15 +12,6 @@
 using namespace Quadrille;
 
 namespace {
-
-Labelled_mesh quads(const std::vector<std::array<double, 3>>& points, const std::vector<std::vector<int>>& polygons)
-{
-  Labelled_mesh mesh;
-  mesh.points = points;
-  mesh.polygons = polygons;
-  mesh.polygon_region.assign(polygons.size(), -1);
-  return mesh;
-}
 
 /// n quads around one vertex.
 Labelled_mesh star(int n, double scale = 1)

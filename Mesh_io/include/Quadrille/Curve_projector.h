@@ -17,7 +17,7 @@ namespace Quadrille {
 ///
 /// Between two vertices, a curve is represented by the cubic with its points and tangents there, which is off by the
 /// sixth power of the angle that it turns by (24 edges per circle: 1e-6 of the radius). Points of meshes that were
-/// taken as they are stay where they are. Complexity of a call: linear in the number of edges of the chain.
+/// taken as they are stay where they are. Complexity of a call: that of `Curve_locator::nearest()`.
 class Curve_projector {
 public:
   explicit Curve_projector(const Planar_domain& domain) : m_domain(&domain), m_locator(domain) {}
@@ -28,7 +28,7 @@ public:
   {
     if (m_domain->edge_tangents.empty())
       return point;
-    const Curve_locator::Place place = m_locator.nearest(point.x(), point.y(), chain);
+    const auto place = m_locator.nearest(Planar_domain::Point_2(point.x(), point.y()), chain);
     const std::array<double, 4>& tangents = m_domain->edge_tangents[std::size_t(place.edge.idx())];
     const auto h = m_domain->mesh.halfedge(place.edge);
     const auto& p = m_domain->mesh.point(m_domain->mesh.source(h));
@@ -48,7 +48,7 @@ public:
 
 private:
   const Planar_domain* m_domain;
-  Curve_locator m_locator;
+  Curve_locator<Planar_domain::Point_2> m_locator;
 };
 
 } // namespace Quadrille

@@ -329,7 +329,7 @@ QUADRILLE_INLINE Size_error measure_size_error(const Labelled_mesh& mesh, const 
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::array<int, 2>& line = lines[i];
     const auto &p = mesh.points[std::size_t(line[0])], &q = mesh.points[std::size_t(line[1])];
-    const auto place = locator.nearest(0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]));
+    const auto place = locator.nearest({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])});
     if (!sizes.is_prescribed(place.edge))
       continue;
     const std::array<Frame_size, 2>& ends = sizes.of_edge[std::size_t(place.edge.idx())];
