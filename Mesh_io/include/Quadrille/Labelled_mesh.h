@@ -25,7 +25,8 @@ struct Entity_label {
 
 /// Polygons with labels, as mesh files hold them: the common form that readers fill and writers take.
 ///
-/// Nothing is promised about the polygons: `check_mesh_validity()` and `read_planar_domain()` examine them.
+/// Nothing is promised about the polygons: `check_quad_mesh()`, `make_planar_domain()` and `make_surface_domain()`
+/// examine them.
 struct Labelled_mesh {
   std::vector<std::array<double, 3>> points;
   std::vector<std::vector<int>> polygons; ///< indices into `points`, in the order around the polygon

@@ -7,39 +7,50 @@
 #include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Size_specification.h>
+#include <Quadrille/Surface_domain.h>
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace Quadrille {
 
-/// Whether polygons form a valid planar quad mesh. Decided exactly, on the coordinates as they are.
+/// Whether polygons form a valid quad mesh of a region in a plane z = constant, or else of a surface in space. Decided
+/// exactly, on the coordinates as they are.
 struct Mesh_validity {
   std::size_t non_quads = 0;
-  std::size_t degenerate_quads = 0;      ///< that use a vertex twice
-  std::size_t inverted_corners = 0;      ///< with an angle of 180 degrees or more, or 0 or less
+  std::size_t degenerate_quads = 0; ///< that use a vertex twice
+  /// With an angle of 180 degrees or more, or 0 or less; in space as seen along the normal (p2 - p0) x (p3 - p1) of the
+  /// quad.
+  std::size_t inverted_corners = 0;
   std::size_t non_manifold_edges = 0;    ///< in more than two quads, or in two that are oriented differently
   std::size_t non_manifold_vertices = 0; ///< where several fans of quads meet
   std::size_t duplicate_vertices = 0;    ///< with the coordinates of another one
-  std::size_t overlapping_borders = 0;   ///< 1 if the border meets itself: hanging vertices, overlaps
+  std::size_t overlapping_borders = 0;   ///< 1 if a planar border meets itself: hanging vertices, overlaps
   std::size_t isolated_vertices = 0;     ///< in no quad; allowed
   int boundary_loops = 0;
   int components = 0;
   int euler_characteristic = 0;
-  bool clockwise = false;            ///< all quads are, which is allowed
+  bool clockwise = false;            ///< all quads are, which is allowed; false for surfaces
   std::vector<std::string> problems; ///< one sentence per kind, naming the first element; empty for a valid mesh
 
   bool is_valid() const { return problems.empty(); }
 };
 
-/// Complexity: O(n log n).
+/// A mesh whose z varies by more than rounding is one of a surface. Whether a surface meets itself where it is not
+/// connected is not examined, except that no two vertices may have the same coordinates. Complexity: O(n log n).
 Mesh_validity check_quad_mesh(const Labelled_mesh& mesh);
 
 /// How good the quads of a mesh are.
+///
+/// Angles of quads in space are those between edges, and above 180 degrees where the corner is inverted as seen along
+/// the normal of its quad.
 struct Mesh_quality {
-  double scaled_jacobian_min = 0;  ///< of a quad: smallest sine of its corner angles, negative for angles above 180
+  /// Of a quad: the smallest sine of its corner angles, negative for angles above 180; in space times the cosine
+  /// between the normals of the corner and of the quad, so that it says how far the quad is from planar, too.
+  double scaled_jacobian_min = 0;
   double scaled_jacobian_mean = 0; ///< over the quads
   double skew_mean = 0;            ///< of a quad: largest |corner angle - 90|, in degrees
   double skew_max = 0;
@@ -47,7 +58,7 @@ struct Mesh_quality {
   std::map<int, int> irregular_boundary; ///< number of quads -> number of boundary vertices with other than 2 quads
 };
 
-/// \pre all polygons are quads. Other polygons are skipped.
+/// \pre all polygons are quads. Other polygons are skipped. Complexity: O(n log n).
 Mesh_quality measure_quality(const Labelled_mesh& mesh);
 
 /// The edges that are in one polygon only, in its direction, sorted.
@@ -69,8 +80,10 @@ struct Size_error {
 };
 
 /// Compares `mesh.lines` (or, when it has none, its border edges) and the quads beside them with the sizes at the
-/// nearest points of the domain's curves. Complexity: edges of the mesh times edges on curves of the domain.
+/// points of the domain's curves that are nearest to their middles. Complexity: O(n log n).
+/// \pre the mesh's coordinates are finite.
 Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& domain, const Domain_sizes& sizes);
+Size_error measure_size_error(const Labelled_mesh& mesh, const Surface_domain& domain, const Domain_sizes& sizes);
 
 } // namespace Quadrille
 

@@ -5,6 +5,7 @@
 #define QUADRILLE_MESH_IO_INTERNAL_CHECK_TRIANGLES_H
 
 #include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/Mesh_io/internal/Spatial_extent.h>
 #include <Quadrille/Mesh_io/internal/format_place.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 #include <Quadrille/Support/internal/segment_intersections.h>
@@ -211,11 +212,6 @@ private:
   const Segment_kernel::Point_2& point(int v) const { return m_result.points[std::size_t(v)]; }
   std::string place(int v) const { return format_place(point(v).x(), point(v).y()); }
 
-public:
-  /// How far z may vary, relative to the extent in x and y: rounding of files with nine digits.
-  static constexpr double planarity_tolerance = 1e-9;
-
-private:
   const Labelled_mesh& m_input;
   const std::string& m_source;
   Checked_triangles m_result;

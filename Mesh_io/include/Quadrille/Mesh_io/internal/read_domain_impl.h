@@ -14,18 +14,10 @@
 
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace Quadrille {
 
-QUADRILLE_INLINE bool is_planar(const Labelled_mesh& mesh)
-{
-  internal::Spatial_extent extent;
-  for (const std::vector<int>& polygon : mesh.polygons)
-    for (const int v : polygon)
-      extent.add(mesh.points[std::size_t(v)]);
-  return extent.is_flat(internal::Triangle_checker::planarity_tolerance);
-}
+QUADRILLE_INLINE bool is_planar(const Labelled_mesh& mesh) { return internal::is_flat(mesh); }
 
 QUADRILLE_INLINE std::variant<Planar_domain, Surface_domain> read_domain(const std::string& path,
                                                                          const Planar_domain_options& planar_options,
