@@ -7,12 +7,19 @@
 #include "json_summary.h"
 
 #include <Quadrille/Curve_locator.h>
+#include <Quadrille/compare_surfaces.h>
+#include <Quadrille/read_domain.h>
 #include <Quadrille/read_mesh.h>
-#include <Quadrille/read_planar_domain.h>
 #include <Quadrille/write_file.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace Quadrille {
 
@@ -61,6 +68,49 @@ Border_comparison compare_borders(const Labelled_mesh& mesh, const Planar_domain
   return result;
 }
 
+/// Whether there are distances at all: points that nothing uses do not matter.
+bool is_finite(const Labelled_mesh& mesh)
+{
+  const auto is_finite_vertex = [&](int v) {
+    const std::array<double, 3>& p = mesh.points[std::size_t(v)];
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  };
+  const auto is_finite_element = [&](const auto& vertices) {
+    return std::all_of(vertices.begin(), vertices.end(), is_finite_vertex);
+  };
+  return std::all_of(mesh.polygons.begin(), mesh.polygons.end(), is_finite_element) &&
+         std::all_of(mesh.lines.begin(), mesh.lines.end(), is_finite_element);
+}
+
+/// What is said about a mesh and the domain that it should be of: the entry of the JSON summary, and a line.
+struct Comparison_report {
+  Json json;
+  std::string line;
+};
+
+Comparison_report compare(const Labelled_mesh& mesh, const Planar_domain& domain)
+{
+  const Border_comparison comparison = compare_borders(mesh, domain);
+  std::ostringstream line;
+  line << "border within " << comparison.distance_max << " (" << comparison.relative_max
+       << " of the diagonal), area changed by " << 100 * comparison.area_relative << " %";
+  return {{{"border_distance_max", comparison.distance_max},
+           {"border_distance_max_relative", comparison.relative_max},
+           {"area_change_relative", comparison.area_relative}},
+          line.str()};
+}
+
+Comparison_report compare(const Labelled_mesh& mesh, const Surface_domain& domain)
+{
+  const Surface_comparison comparison = compare_with_surface(mesh, domain);
+  std::ostringstream line;
+  line << "surface within " << comparison.hausdorff << " (" << comparison.hausdorff_relative
+       << " of the diagonal), features within " << comparison.feature_distance_max << " ("
+       << comparison.feature_distance_max_relative << "), area changed by " << 100 * comparison.area_relative << " %, "
+       << comparison.flipped_quads << " quads flipped";
+  return {json_of(comparison), line.str()};
+}
+
 void print_summary(Console& console, const std::string& name, const Mesh_validity& validity,
                    const Mesh_summary& summary)
 {
@@ -100,9 +150,27 @@ void run_check_command(const Check_arguments& arguments)
   for (const std::string& size : arguments.sizes)
     specification.add(size);
   const Labelled_mesh mesh = read_mesh(arguments.mesh);
-  const Mesh_validity validity = check_quad_mesh(mesh);
+  Mesh_validity validity = check_quad_mesh(mesh);
   if (mesh.polygons.empty())
     throw Invalid_input_error(arguments.mesh + ": there are no polygons");
+
+  Mesh_summary summary;
+  Comparison_report report;
+  const bool is_compared = !arguments.against.empty() && is_finite(mesh);
+  if (!is_compared) {
+    summary = summarize(mesh);
+  } else {
+    const std::variant<Planar_domain, Surface_domain> against = read_domain(arguments.against);
+    if (std::holds_alternative<Planar_domain>(against) && !is_planar(mesh))
+      validity.problems.push_back("z is not constant, and " + arguments.against + " is a planar domain");
+    std::visit(
+        [&](const auto& domain) {
+          summary = summarize(mesh, domain, specification.apply(domain));
+          report = compare(mesh, domain);
+        },
+        against);
+    console.print("against " + arguments.against + ": " + report.line);
+  }
 
   Json json;
   json["input"] = {{"vertices", mesh.points.size()},
@@ -111,22 +179,8 @@ void run_check_command(const Check_arguments& arguments)
                    {"euler_characteristic", validity.euler_characteristic}};
   json["valid"] = validity.is_valid();
   json["problems"] = validity.problems;
-  Mesh_summary summary;
-  if (arguments.against.empty()) {
-    summary = summarize(mesh, nullptr, nullptr);
-  } else {
-    const Planar_domain domain = read_planar_domain(arguments.against);
-    const Domain_sizes sizes = specification.apply(domain);
-    summary = summarize(mesh, &domain, &sizes);
-    const Border_comparison comparison = compare_borders(mesh, domain);
-    json["against"] = {{"border_distance_max", comparison.distance_max},
-                       {"border_distance_max_relative", comparison.relative_max},
-                       {"area_change_relative", comparison.area_relative}};
-    std::ostringstream line;
-    line << "against " << arguments.against << ": border within " << comparison.distance_max << " ("
-         << comparison.relative_max << " of the diagonal), area changed by " << 100 * comparison.area_relative << " %";
-    console.print(line.str());
-  }
+  if (is_compared)
+    json["against"] = report.json;
   json["mesh"] = json_of(summary);
   json["version"] = QUADRILLE_VERSION;
   print_summary(console, arguments.mesh, validity, summary);

@@ -55,7 +55,8 @@ mesh alone).
 const char* const check_help =
     R"(quadrille check MESH [options]
 
-Checks that MESH (.msh .vtk .obj .off) is a valid mesh of quads and measures its quality. Exit code 4 if it is not.
+Checks that MESH (.msh .vtk .obj .off) is a valid mesh of quads, in a plane z = constant or of a surface in space, and
+measures its quality. Exit code 4 if it is not.
 )";
 
 po::options_description quad_options()
@@ -142,7 +143,8 @@ po::options_description check_options()
 {
   po::options_description options("Options", 100);
   options.add_options()("against", po::value<Strings>()->value_name("IN"),
-                        "the domain that the mesh should be of: compares borders, and sizes on its curves");
+                        "the planar domain or surface that the mesh should be of, as for quadrille quad: compares "
+                        "borders and areas, of surfaces also distances, features and normals; and sizes on its curves");
   options.add_options()("size", po::value<Strings>()->value_name("SIZE"),
                         "prescribed sizes, as for quadrille quad; needs --against");
   options.add_options()("json", po::value<Strings>()->value_name("F.json"), "write the summary");

@@ -127,14 +127,26 @@ void add_extraction(const Quad_extraction_result& extraction, Json& summary)
 
 } // namespace
 
-Mesh_summary summarize(const Labelled_mesh& mesh, const Planar_domain* domain, const Domain_sizes* sizes)
+Mesh_summary summarize(const Labelled_mesh& mesh)
 {
   Mesh_summary summary;
   summary.vertices = mesh.points.size();
   summary.quads = mesh.polygons.size();
   summary.quality = measure_quality(mesh);
-  if (domain && sizes)
-    summary.size_error = measure_size_error(mesh, *domain, *sizes);
+  return summary;
+}
+
+Mesh_summary summarize(const Labelled_mesh& mesh, const Planar_domain& domain, const Domain_sizes& sizes)
+{
+  Mesh_summary summary = summarize(mesh);
+  summary.size_error = measure_size_error(mesh, domain, sizes);
+  return summary;
+}
+
+Mesh_summary summarize(const Labelled_mesh& mesh, const Surface_domain& domain, const Domain_sizes& sizes)
+{
+  Mesh_summary summary = summarize(mesh);
+  summary.size_error = measure_size_error(mesh, domain, sizes);
   return summary;
 }
 
@@ -155,6 +167,18 @@ Json json_of(const Mesh_summary& mesh)
     json["aspect_error"] = {{"mean", mesh.size_error->aspect.mean}, {"max", mesh.size_error->aspect.max}};
   }
   return json;
+}
+
+Json json_of(const Surface_comparison& comparison)
+{
+  return {{"hausdorff", comparison.hausdorff},
+          {"hausdorff_relative", comparison.hausdorff_relative},
+          {"to_surface_max", comparison.to_surface_max},
+          {"from_surface_max", comparison.from_surface_max},
+          {"feature_distance_max", comparison.feature_distance_max}, // infinity is null
+          {"feature_distance_max_relative", comparison.feature_distance_max_relative},
+          {"area_change_relative", comparison.area_relative},
+          {"flipped_quads", comparison.flipped_quads}};
 }
 
 void add_stages(const Quad_pipeline_result& result, Field_solver_kind solver, Json& summary)

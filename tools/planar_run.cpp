@@ -114,7 +114,7 @@ private:
     const Mesh_validity validity = check_quad_mesh(m_mesh);
     if (!validity.is_valid())
       throw No_result_error("mesh", validity.problems[0]);
-    m_mesh_summary = summarize(m_mesh, &m_domain, &m_sizes);
+    m_mesh_summary = summarize(m_mesh, m_domain, m_sizes);
     m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
