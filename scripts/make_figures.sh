@@ -28,6 +28,10 @@ figure nautilus 2 600 doc/Quad_extraction/fig/nautilus_layout.png
 figure nautilus 3 600 doc/Quad_extraction/fig/nautilus_mesh.png
 figure three_component_wing 3 940 doc/fig/wing_mesh.png
 
+"$program" quad examples/data/arch.geo -o "$folder/arch.msh" --picture "$folder/arch.svg" --quiet
+rsvg-convert -w 560 "$folder/arch.svg" -o doc/Quad_extraction/fig/arch_quads.png
+echo doc/Quad_extraction/fig/arch_quads.png
+
 for case in ball notched_block bracket; do
   file=doc/Volumetric_cross_field/fig/$case.png
   "$program" cross "examples/data/$case.geo" --tet-size 0.1 -o "$folder/$case.vtu" --picture "$folder/$case.svg" --quiet

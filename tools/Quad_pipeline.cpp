@@ -4,7 +4,7 @@
 #include "Quad_pipeline.h"
 
 #include "field_maps.h"
-#include "pipeline_output.h"
+#include "labelled_quads.h"
 #include "refine_around_singularities.h"
 
 #include <Quadrille/Curve_projector.h>
@@ -74,7 +74,7 @@ double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_cons
   Domain_sizes sizes;
   for (const Edge_frame_constraint& constraint : constraints)
     sizes.of_edge.push_back({constraint.source_size, constraint.target_size});
-  const Labelled_mesh mesh = labelled_quads(domain, result);
+  const Labelled_mesh mesh = labelled_quads(domain, result.quads, *result.extraction);
   int n_irregular = 0;
   for (const auto& [valence, count] : result.extraction->irregular_vertices)
     n_irregular += count;

@@ -4,6 +4,7 @@
 #include "Surface_pipeline.h"
 
 #include "field_maps.h"
+#include "labelled_quads.h"
 
 #include <Quadrille/Surface_tangent_traits.h>
 #include <Quadrille/frame_field_topology.h>
@@ -142,52 +143,12 @@ std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_do
   return vectors;
 }
 
-Labelled_mesh labelled_quads(const Surface_domain& domain, const Surface_pipeline_result& result)
-{
-  Labelled_mesh mesh;
-  for (const auto v : result.quads.vertices()) {
-    const auto& p = result.quads.point(v);
-    mesh.points.push_back({p.x(), p.y(), p.z()});
-  }
-  for (const auto f : result.quads.faces()) {
-    mesh.polygons.emplace_back();
-    for (const auto v : result.quads.vertices_around_face(result.quads.halfedge(f)))
-      mesh.polygons.back().push_back(int(v.idx()));
-  }
-  mesh.polygon_region = result.extraction->quad_regions;
-  std::vector<std::vector<Surface_domain::edge_descriptor>> edges_of_chain(std::size_t(domain.number_of_chains));
-  for (const auto e : domain.mesh.edges())
-    if (const int chain = domain.edge_chain[std::size_t(e.idx())]; chain >= 0)
-      edges_of_chain[std::size_t(chain)].push_back(e);
-  for (const Quad_extraction_result::Curve_edge& edge : result.extraction->curve_edges) {
-    const auto middle = CGAL::midpoint(result.quads.point(Mesh::Vertex_index(unsigned(edge.source))),
-                                       result.quads.point(Mesh::Vertex_index(unsigned(edge.target))));
-    double least = std::numeric_limits<double>::infinity();
-    int curve = -1;
-    for (const auto e : edges_of_chain[std::size_t(edge.curve)]) {
-      const auto p =
-          CGAL::midpoint(domain.mesh.point(domain.mesh.vertex(e, 0)), domain.mesh.point(domain.mesh.vertex(e, 1)));
-      if (const double distance = CGAL::squared_distance(p, middle); distance < least) {
-        least = distance;
-        curve = domain.edge_curve[std::size_t(e.idx())];
-      }
-    }
-    mesh.lines.push_back({edge.source, edge.target});
-    mesh.line_curve.push_back(curve);
-  }
-  for (const Surface_domain::Curve& curve : domain.curves)
-    mesh.curves.push_back(curve);
-  mesh.regions = domain.regions;
-  mesh.groups = domain.groups;
-  return mesh;
-}
-
 namespace {
 
 Surface_drawing quad_drawing(const Surface_domain& domain, const Surface_pipeline_result& result)
 {
   Surface_drawing drawing;
-  const Labelled_mesh mesh = labelled_quads(domain, result);
+  const Labelled_mesh mesh = labelled_quads(domain, result.quads, *result.extraction);
   drawing.points = mesh.points;
   for (const std::vector<int>& quad : mesh.polygons) {
     drawing.triangles.push_back({quad[0], quad[1], quad[2]});

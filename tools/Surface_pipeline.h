@@ -8,7 +8,6 @@
 #include "surface_picture.h"
 
 #include <Quadrille/Frame_edge_constraints.h>
-#include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Optimal_quantizer.h>
 #include <Quadrille/Planar_domain.h>
@@ -75,9 +74,6 @@ std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, con
 /// Per face a vector of the frame in space: the gradient over its squared length.
 std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_domain& domain,
                                                                 const std::vector<Gradient_pair>& gradients);
-
-/// The quads with the names of the surface's curves and regions.
-Labelled_mesh labelled_quads(const Surface_domain& domain, const Surface_pipeline_result& result);
 
 /// What there is to see of a run, as far as it got: the frames, the isolines of the map, or the quads.
 Surface_drawing surface_drawing(const Surface_domain& domain, const Surface_pipeline_result& result);

@@ -22,7 +22,7 @@ using Strings = std::vector<std::string>;
 const char* const main_help =
     R"(quadrille: quadrilateral meshes with prescribed element sizes, and cross fields in volumes
 
-  quadrille quad IN -o OUT [options]   mesh a planar domain; field and map of a surface
+  quadrille quad IN -o OUT [options]   mesh a planar domain or a surface
   quadrille cross IN -o OUT [options]  the smoothest cross field of a volume, and its singular curves
   quadrille check MESH [options]       validity and quality of a quad mesh
   quadrille COMMAND --help             options of a command
@@ -34,12 +34,11 @@ Exit codes: 0 done, 2 unusable arguments, 3 unusable input, 4 no valid result.
 const char* const quad_help =
     R"(quadrille quad IN -o OUT [options]
 
-Meshes the planar domain IN (.geo .step .stp .brep .iges; triangles in .msh .obj .off .vtk .ply .stl) with quads and
-writes them to OUT (.msh .vtk .vtu .obj). Sizes are lengths in the unit of IN. Default sizes: those at the points of a
-.geo file, or else the diagonal of the bounding box / 40.
+Meshes the planar domain or the surface in space IN (.geo .step .stp .brep .iges, of a solid its boundary; triangles in
+.msh .obj .off .vtk .ply .stl) with quads and writes them to OUT (.msh .vtk .vtu .obj). Sizes are lengths in the unit of
+IN. Default sizes: those at the points of a .geo file, or else the diagonal of the bounding box / 40.
 
-Where IN is a surface in space (also the boundary of a solid), its frame field and seamless map are computed and written
-with --field, --map and --picture; quads of surfaces cannot be made yet, so there is no OUT.
+For a surface, OUT may be left out: then its frame field and seamless map are all that is computed.
 )";
 
 const char* const cross_help =

@@ -6,8 +6,6 @@
 
 #include "Quad_pipeline.h"
 
-#include <Quadrille/Labelled_mesh.h>
-
 #include <array>
 #include <vector>
 
@@ -15,8 +13,6 @@ namespace Quadrille {
 
 /// The quads of a finished run with the labels of the domain's curves and regions.
 /// \pre `result.extraction` is there.
-Labelled_mesh labelled_quads(const Planar_domain& domain, const Quad_pipeline_result& result);
-
 /// The frames of a run's field in the form that writers take: per face the two frame vectors (their lengths are the
 /// sizes), per vertex its valence in the map.
 struct Frames {

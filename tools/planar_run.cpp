@@ -7,6 +7,7 @@
 #include "Quad_run.h"
 #include "domain_constraints.h"
 #include "json_summary.h"
+#include "labelled_quads.h"
 #include "picture_file.h"
 #include "pipeline_output.h"
 #include "svg_picture.h"
@@ -110,7 +111,7 @@ private:
     options.observer = &m_console.observer();
     run_quad_pipeline(m_domain, constraints_of(m_domain, m_sizes), options, m_result);
     const auto start = std::chrono::steady_clock::now();
-    m_mesh = labelled_quads(m_domain, m_result);
+    m_mesh = labelled_quads(m_domain, m_result.quads, *m_result.extraction);
     const Mesh_validity validity = check_quad_mesh(m_mesh);
     if (!validity.is_valid())
       throw No_result_error("mesh", validity.problems[0]);

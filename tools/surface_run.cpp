@@ -8,6 +8,7 @@
 #include "count_option.h"
 #include "domain_constraints.h"
 #include "json_summary.h"
+#include "labelled_quads.h"
 #include "picture_file.h"
 #include "surface_picture.h"
 
@@ -103,11 +104,11 @@ private:
     if (!m_result.extraction)
       return;
     const auto start = std::chrono::steady_clock::now();
-    m_mesh = labelled_quads(m_domain, m_result);
+    m_mesh = labelled_quads(m_domain, m_result.quads, *m_result.extraction);
     const Mesh_validity validity = check_quad_mesh(m_mesh);
     if (!validity.is_valid())
       throw No_result_error("mesh", validity.problems[0]);
-    m_mesh_summary = summarize(m_mesh, nullptr, nullptr);
+    m_mesh_summary = summarize(m_mesh, m_domain, m_sizes);
     m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -187,6 +188,8 @@ private:
     line << m_arguments.outputs.front() << ": " << m_mesh_summary->quads << " quads, scaled Jacobian min "
          << quality.scaled_jacobian_min << " mean " << quality.scaled_jacobian_mean << ", skew mean "
          << quality.skew_mean << " max " << quality.skew_max << " degrees";
+    if (m_mesh_summary->size_error && m_mesh_summary->size_error->length.n > 0)
+      line << ", size error mean " << m_mesh_summary->size_error->length.mean;
     m_console.print(line.str());
   }
 

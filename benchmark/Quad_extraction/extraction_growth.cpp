@@ -8,6 +8,7 @@
 
 #include <Quadrille/Greedy_quantizer.h>
 #include <Quadrille/Optimal_quantizer.h>
+#include <Quadrille/Quad_extraction/internal/Layout_builder.h>
 #include <Quadrille/Quad_extraction/internal/extract_indexed_quads.h>
 
 #include <benchmark/benchmark.h>
@@ -83,7 +84,7 @@ template <Layout_kind kind> void extract(benchmark::State& state)
   for (auto _ : state) {
     const Seamless_map map(triangulation, mesh.uv, mesh.curve, std::vector<int>(mesh.triangles.size(), 0));
     result = Quad_extraction_result();
-    quads = extract_indexed_quads(
+    quads = extract_indexed_quads<2>(
                 map, mesh.points, options, Greedy_quantizer(), [](int, const Eigen::Vector2d& p) { return p; }, result)
                 .quads.size();
   }

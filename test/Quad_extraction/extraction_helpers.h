@@ -6,6 +6,7 @@
 
 #include "glued_rectangles.h"
 
+#include <Quadrille/Quad_extraction/internal/Layout_builder.h>
 #include <Quadrille/quad_extraction.h>
 
 #include <CGAL/Simple_cartesian.h>

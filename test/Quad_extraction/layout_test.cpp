@@ -5,6 +5,7 @@
 #include "planar_test_meshes.h"
 
 #include <Quadrille/Quad_extraction/internal/Layout_builder.h>
+#include <Quadrille/Quad_extraction/internal/Layout_geometry.h>
 
 #include <gtest/gtest.h>
 

@@ -142,9 +142,9 @@ TEST(Surface_extraction, the_edges_of_a_cube_are_chains_of_edges)
     const Eigen::Vector3d p = position(extracted.quads, Quads::Vertex_index(unsigned(edge.source)));
     const Eigen::Vector3d q = position(extracted.quads, Quads::Vertex_index(unsigned(edge.target)));
     EXPECT_EQ(((p + q).array().abs() > 2 - 1e-12).count(), 2) << "the edge does not lie on an edge of the cube";
-    EXPECT_NEAR((p - q).norm(), 0.4, 1e-3);
+    EXPECT_NEAR((p - q).norm(), 0.4, 1e-5);
   }
-  EXPECT_LT(quality(extracted.quads).skew, 0.1);
+  EXPECT_LT(quality(extracted.quads).skew, 1e-3);
 }
 
 TEST(Surface_extraction, a_domain_that_is_moved_into_space_has_the_planar_quads)

@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -131,12 +133,77 @@ TEST_F(Surface, geometry_with_a_size_transition_gets_pairs_of_singularities)
   EXPECT_LT(all["map"]["size_error"]["mean"], 0.1);
 }
 
+TEST_F(Surface, cube_becomes_squares_with_its_edges_as_curves)
+{
+  const std::string cube = write("cube.off", cube_in_off(8, false));
+  ASSERT_EQ(run({"quad", cube, "--size", "0.25", "--starts", "0", "-o", path("quads.msh"), "-o", path("quads.obj"),
+                 "--picture", path("p.svg"), "--json", path("summary.json")}),
+            0)
+      << m_error;
+  const Json all = summary();
+  EXPECT_EQ(all["mesh"]["quads"], 6 * 64);
+  EXPECT_EQ(all["mesh"]["irregular"], (Json{{"3", 8}}));
+  EXPECT_LT(all["mesh"]["skew_degrees"]["max"], 1e-3);
+  EXPECT_LT(all["mesh"]["size_error"]["max"], 1e-5);
+  ASSERT_EQ(run({"check", path("quads.msh"), "--against", cube, "--json", path("summary.json")}), 0) << m_error;
+  EXPECT_LT(summary()["against"]["hausdorff_relative"], 1e-12);
+  EXPECT_LT(summary()["against"]["feature_distance_max_relative"], 1e-12);
+  EXPECT_EQ(summary()["against"]["flipped_quads"], 0);
+}
+
+TEST_F(Surface, quads_of_a_sphere_lie_on_it)
+{
+  const std::string sphere = write("sphere.off", cube_in_off(16, true));
+  ASSERT_EQ(
+      run({"quad", sphere, "--size", "0.2", "--starts", "0", "-o", path("q.msh"), "--json", path("summary.json")}), 0)
+      << m_error;
+  EXPECT_EQ(summary()["mesh"]["irregular"], (Json{{"3", 8}}));
+  EXPECT_GT(summary()["mesh"]["scaled_jacobian"]["min"], 0.8);
+  // 7.2 elements between two singularities would have the size on average; whole numbers are at most one off.
+  EXPECT_GT(double(summary()["mesh"]["quads"]), 6 * 6.2 * 6.2);
+  EXPECT_LT(double(summary()["mesh"]["quads"]), 6 * 8.2 * 8.2);
+  ASSERT_EQ(run({"check", path("q.msh"), "--against", sphere, "--json", path("summary.json")}), 0) << m_error;
+  EXPECT_EQ(summary()["input"]["euler_characteristic"], 2);
+  EXPECT_LT(summary()["against"]["hausdorff_relative"], 0.005); // chords of 0.2 of a circle are 0.005 below it
+}
+
+TEST_F(Surface, counts_on_the_curves_of_a_part_are_met_and_groups_are_kept)
+{
+  const std::string part = QUADRILLE_EXAMPLE_DATA "/box_transition.geo";
+  ASSERT_EQ(run({"quad", part, "--size", "0.4", "--count", "small=48", "--triangle-size", "0.2", "--starts", "0", "-o",
+                 path("q.msh"), "-o", path("q.obj")}),
+            0)
+      << m_error;
+  EXPECT_NE(content(path("q.msh")).find("\"small\""), std::string::npos);
+  std::istringstream mesh(content(path("q.obj")));
+  std::vector<std::array<double, 3>> points;
+  std::set<std::set<int>> edges; // of the left side's boundary
+  const auto is_on_side = [&](int a, int b, std::size_t axis, double at) {
+    return points[std::size_t(a - 1)][axis] == at && points[std::size_t(b - 1)][axis] == at;
+  };
+  for (std::string word; mesh >> word;)
+    if (word == "v") {
+      points.emplace_back();
+      mesh >> points.back()[0] >> points.back()[1] >> points.back()[2];
+    } else if (word == "f") {
+      std::array<int, 4> quad{};
+      for (int& v : quad)
+        mesh >> v;
+      for (std::size_t i = 0; i < 4; ++i)
+        for (const auto& [axis, at] : {std::pair(1, 0.0), std::pair(1, 2.0), std::pair(2, 0.0), std::pair(2, 1.0)})
+          if (is_on_side(quad[i], quad[(i + 1) % 4], 0, 0) &&
+              is_on_side(quad[i], quad[(i + 1) % 4], std::size_t(axis), at))
+            edges.insert({quad[i], quad[(i + 1) % 4]});
+    }
+  EXPECT_EQ(edges.size(), 48U);
+  EXPECT_EQ(run({"quad", part, "--count", "no_such_curve=3", "-o", path("q.msh")}), 2);
+  EXPECT_NE(m_error.find("no_such_curve"), std::string::npos) << m_error;
+}
+
 TEST_F(Surface, refuses_what_is_not_done_on_surfaces)
 {
   const std::string cube = write("cube.off", cube_in_off(2, false));
-  EXPECT_EQ(run({"quad", cube, "-o", path("quads.msh")}), 2);
-  EXPECT_NE(m_error.find("surface"), std::string::npos) << m_error;
-  EXPECT_EQ(run({"quad", cube, "--count", "1=3", "--field", path("f.vtu")}), 2);
+  EXPECT_EQ(run({"quad", cube, "--impose-size-field", "--field", path("f.vtu")}), 2);
   EXPECT_EQ(run({"quad", cube, "--preset", "volume", "--field", path("f.vtu")}), 2);
   EXPECT_EQ(run({"quad", QUADRILLE_EXAMPLE_DATA "/square_1_2.geo", "--preset", "area", "-o", path("q.msh")}), 2);
   EXPECT_NE(m_error.find("--preset"), std::string::npos) << m_error;

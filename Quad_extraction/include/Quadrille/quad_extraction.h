@@ -15,7 +15,8 @@ struct No_curve_projector {
   template <class Point> Point operator()(int /*curve*/, const Point& p) const { return p; }
 };
 
-/// Extracts a conforming quad mesh from an exactly seamless map of a planar triangulation, one quad per unit square.
+/// Extracts a conforming quad mesh from an exactly seamless map of a triangulation in the plane or in space, one quad
+/// per unit square.
 ///
 /// Separatrices of the map are traced without rounding and cut the domain into quadrilateral patches
 /// (`options.layout` says which part of them); `quantizer` gives their arcs integer lengths; what gets length 0 is
@@ -24,11 +25,13 @@ struct No_curve_projector {
 /// Fields", Section 7.2; smoothing: Garanzha et al., "Foldover-free maps in 50 lines of code" (2021).
 ///
 /// The quad mesh has the topology of the domain; its interior irregular vertices are the singularities of the map with
-/// their valences; all its corners are strictly convex; its border edges lie on the domain's border and the feature
-/// curves of the domain are chains of its edges (vertices on the curves, corners on corners).
+/// their valences; all its corners are strictly convex (in space: seen along the normals of their quads); its border
+/// edges lie on the domain's border and the feature curves of the domain are chains of its edges (vertices on the
+/// curves, corners on corners).
 ///
-/// \param mesh model of `FaceListGraph`, all faces triangles, a manifold with border.
-/// \param points readable, vertex -> planar point with double coordinates (`x()`, `y()`).
+/// \param mesh model of `FaceListGraph`, all faces triangles, a manifold, with border in the plane.
+/// \param points readable, vertex -> point with double coordinates: `x()`, `y()`, and in space `z()`. The quads' points
+///        have as many coordinates.
 /// \param corner_uv readable, halfedge h -> map coordinates (`x()`, `y()`) of the corner at `target(h)` in `face(h)`:
 ///        concept `SeamlessCornerMap`. All coordinates are multiples of a power of two that leaves some bits free.
 /// \param edge_curves readable, edge -> int: the curve that the edge lies on, -1 for none. Border edges lie on one;

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace Quadrille {
@@ -119,8 +120,8 @@ private:
       low = std::min(low, along(step.direction + 1, m_map->uv(h)));
       high = std::max(high, along(step.direction + 1, m_map->uv(h)));
     }
-    constexpr double inside = 1e-3; // of the triangle's width; only a first step is ever moved
-    step.level = std::min(std::max(step.level, low), high - inside * (high - low));
+    constexpr double inside = 1e-6; // of the triangle's width; only a first step is ever moved
+    step.level = std::min({std::max(step.level, low), high - inside * (high - low), std::nextafter(high, low)});
   }
 
   Place place_in_face(int f, const Uv& p) const

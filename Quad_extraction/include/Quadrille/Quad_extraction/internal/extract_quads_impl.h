@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_EXTRACT_QUADS_IMPL_H
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_EXTRACT_QUADS_IMPL_H
 
+#include <Quadrille/Quad_extraction/internal/Lap_timer.h>
 #include <Quadrille/Quad_extraction/internal/extract_indexed_quads.h>
 #include <Quadrille/quad_extraction.h>
 
@@ -11,6 +12,7 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <functional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -89,8 +91,8 @@ Quad_extraction_result extract_quads(const TriangleMesh& mesh, VertexPointMap po
   };
   Quad_extraction_result result;
   result.layout_seconds = timer.lap();
-  const internal::extraction::Indexed_quads<D> indexed =
-      internal::extraction::extract_indexed_quads(map, positions, options, quantizer, project_point, result);
+  const internal::extraction::Indexed_quads<D> indexed = internal::extraction::extract_indexed_quads<D>(
+      map, positions, options, std::cref(quantizer), project_point, result);
   internal::extraction::add_quads(indexed, quads);
   return result;
 }
