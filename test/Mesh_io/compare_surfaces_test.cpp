@@ -30,7 +30,9 @@ TEST(Surface_comparison, of_a_quad_and_two_triangles)
     Labelled_mesh triangles = mesh;
     triangles.polygons = {{0, 1, 2}, {0, 2, 3}};
     triangles.polygon_region = {-1, -1};
-    const Surface_domain domain = make_surface_domain(triangles, "triangles");
+    Surface_domain_options options;
+    options.split_chords = false;
+    const Surface_domain domain = make_surface_domain(triangles, "triangles", options);
     const Surface_comparison comparison = compare_with_surface(mesh, domain);
     // The centre is 1/4 below the diagonal, and the triangles are in the planes z = x and z = y.
     EXPECT_NEAR(comparison.to_surface_max / scale, 0.25 / std::sqrt(2.0), 1e-12);

@@ -39,6 +39,14 @@ protected:
   {
     return read_surface_domain(write(name, text), options);
   }
+
+  /// With the triangles of the file alone.
+  Surface_domain read_as_it_is(const std::string& name, const std::string& text)
+  {
+    Surface_domain_options options;
+    options.split_chords = false;
+    return read(name, text, options);
+  }
 };
 
 TEST_F(Surfaces, creases_of_a_cube_are_its_edges)
@@ -47,7 +55,7 @@ TEST_F(Surfaces, creases_of_a_cube_are_its_edges)
     const Surface_domain cube = read("cube.off", cube_text(3, scale));
     expect_sound(cube);
     EXPECT_EQ(euler_characteristic(cube), 2);
-    EXPECT_EQ(cube.mesh.number_of_faces(), 6u * 9 * 2);
+    EXPECT_EQ(cube.mesh.number_of_faces(), 6u * 9 * 2 + 24); // two triangles on each side lie in its corners
     EXPECT_EQ(cube.curves.size(), 12u);
     for (const Surface_domain::Curve& curve : cube.curves)
       EXPECT_EQ(curve.path.size(), 3u);
@@ -61,7 +69,7 @@ TEST_F(Surfaces, polygons_are_divided_and_unused_points_left_out)
 {
   const std::string quads = "OFF\n9 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n5 5 5\n"
                             "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  const Surface_domain cube = read("quads.off", quads);
+  const Surface_domain cube = read_as_it_is("quads.off", quads);
   expect_sound(cube);
   EXPECT_EQ(cube.mesh.number_of_faces(), 12u);
   EXPECT_EQ(cube.mesh.number_of_vertices(), 8u);
@@ -101,6 +109,33 @@ TEST_F(Surfaces, short_creases_with_loose_ends_are_noise)
   Surface_domain_options options;
   options.min_crease_edges = 0;
   EXPECT_EQ(read("b.off", ridge(5), options).curves.size(), 4u + 1);
+}
+
+TEST_F(Surfaces, triangles_between_curves_get_vertices_of_their_own)
+{
+  for (const double scale : {1.0, 1e8, 1e-8}) {
+    const Surface_domain cube = read("cube.off", cube_text(1, scale));
+    expect_sound(cube);
+    EXPECT_EQ(cube.mesh.number_of_vertices(), 8u + 6u); // one on each diagonal
+    EXPECT_EQ(cube.mesh.number_of_faces(), 6u * 4);
+    EXPECT_EQ(cube.curves.size(), 12u);
+    EXPECT_NEAR(enclosed_volume(cube), std::pow(scale, 3), 1e-9 * std::pow(scale, 3));
+    EXPECT_TRUE(has_note(cube, "6 vertices were added where triangles had all their corners on curves"));
+  }
+  const std::string tetrahedron =
+      off_text({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
+  const Surface_domain closed = read("tetrahedron.off", tetrahedron);
+  expect_sound(closed);
+  EXPECT_EQ(closed.mesh.number_of_faces(), 12u); // three around each centre
+  EXPECT_EQ(read_as_it_is("tetrahedron.off", tetrahedron).mesh.number_of_faces(), 4u);
+}
+
+TEST_F(Surfaces, sharp_corners_are_not_halved)
+{
+  // A corner of 20 degrees, and a triangle beyond it that is bent upwards: all of the border is curve.
+  const Surface_domain needle =
+      read("needle.off", off_text({{0, 0, 0}, {1, 0, 0}, {0.94, 0.342, 0}, {2, 0.3, 0.5}}, {{0, 1, 2}, {1, 3, 2}}));
+  EXPECT_EQ(needle.mesh.number_of_faces(), 2u);
 }
 
 TEST_F(Surfaces, marked_lines_are_the_features)
@@ -183,8 +218,8 @@ TEST_F(Surfaces, bad_meshes_are_refused)
 
 TEST_F(Surfaces, surfaces_that_intersect_themselves_are_read)
 {
-  const Surface_domain cross =
-      read("cross.off", "OFF\n6 2 0\n0 0 0\n2 0 0\n0 2 0\n0.5 0.5 -1\n0.5 0.5 1\n1.5 0.5 0\n3 0 1 2\n3 3 4 5\n");
+  const Surface_domain cross = read_as_it_is(
+      "cross.off", "OFF\n6 2 0\n0 0 0\n2 0 0\n0 2 0\n0.5 0.5 -1\n0.5 0.5 1\n1.5 0.5 0\n3 0 1 2\n3 3 4 5\n");
   expect_sound(cross);
   EXPECT_EQ(cross.mesh.number_of_faces(), 2u);
   EXPECT_EQ(euler_characteristic(cross), 2); // of two disks
@@ -207,7 +242,7 @@ TEST_F(Surfaces, planar_meshes_are_told_apart)
 
 TEST_F(Surfaces, fields_and_maps_are_written)
 {
-  const Surface_domain cube = read("cube.off", cube_text(1, 1));
+  const Surface_domain cube = read_as_it_is("cube.off", cube_text(1, 1));
   const std::size_t n = cube.mesh.number_of_faces();
   const std::vector<std::array<double, 3>> u(n, {1, 2, 2}), v(n, {0, 0, -5});
   std::vector<int> valence(cube.mesh.number_of_vertices(), 3);

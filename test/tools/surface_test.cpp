@@ -151,6 +151,18 @@ TEST_F(Surface, cube_becomes_squares_with_its_edges_as_curves)
   EXPECT_EQ(summary()["against"]["flipped_quads"], 0);
 }
 
+TEST_F(Surface, a_tetrahedron_of_four_triangles_becomes_three_blocks_on_each_side)
+{
+  const std::string tetrahedron =
+      write("t.off", "OFF\n4 4 0\n1 1 1\n1 -1 -1\n-1 1 -1\n-1 -1 1\n3 0 1 2\n3 0 2 3\n3 0 3 1\n3 1 3 2\n");
+  ASSERT_EQ(run({"quad", tetrahedron, "--size", "0.5", "-o", path("q.msh"), "--json", path("summary.json")}), 0)
+      << m_error;
+  EXPECT_EQ(summary()["mesh"]["irregular"], (Json{{"3", 8}})); // four corners, four centres
+  EXPECT_GT(summary()["mesh"]["scaled_jacobian"]["min"], 0.5);
+  ASSERT_EQ(run({"check", path("q.msh"), "--against", tetrahedron, "--json", path("summary.json")}), 0) << m_error;
+  EXPECT_LT(summary()["against"]["hausdorff_relative"], 1e-12);
+}
+
 TEST_F(Surface, quads_of_a_sphere_lie_on_it)
 {
   const std::string sphere = write("sphere.off", cube_in_off(16, true));

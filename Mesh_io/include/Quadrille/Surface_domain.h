@@ -43,6 +43,10 @@ struct Surface_domain_options {
   /// But connected ones with a loose end and fewer edges than this are taken for noise. The creases of technical parts
   /// hardly ever end, and those that noise makes are short.
   int min_crease_edges = 10;
+  /// Edges inside that join two vertices of curves get a vertex in their middle, and triangles between three curve
+  /// edges one at their centre: frame fields need free vertices there. Edges that cut off a corner sharper than 50
+  /// degrees stay.
+  bool split_chords = true;
   /// Two feature edges that deviate by more than this many degrees from a straight line meet in a corner.
   double corner_degrees = 40;
   /// Let the geometry library work in a child process (where the system has them), so that its crashes, endless loops
@@ -54,9 +58,9 @@ struct Surface_domain_options {
 /// Checks `input` and turns it into a surface; `source` names it in messages.
 ///
 /// * Polygons with more than three corners are divided into triangles, points that no polygon uses are left out; both
-///   are noted. Nothing else is changed: points with equal coordinates stay apart (noted), and so does the orientation.
-///   Closed components whose normals point inwards are noted only, since cavities have such walls; no frame field
-///   depends on it.
+///   are noted, and so are vertices added between curves (`split_chords`). Nothing else is changed: points with equal
+///   coordinates stay apart (noted), and so does the orientation. Closed components whose normals point inwards are
+///   noted only, since cavities have such walls; no frame field depends on it.
 /// * The lines of the input, edges between two regions and the border are curves. If none of these are inside the
 ///   surface, edges sharper than `Surface_domain_options::crease_angle` are, too; a note says which were used. Those
 ///   without a label are grouped into curves that end at corners and where curves meet.

@@ -8,6 +8,7 @@
 #include <Quadrille/Mesh_io/internal/Curve_tracer.h>
 #include <Quadrille/Mesh_io/internal/check_surface.h>
 #include <Quadrille/Mesh_io/internal/domain_faces.h>
+#include <Quadrille/Mesh_io/internal/split_chords_in_space.h>
 #include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/Surface_domain.h>
 #include <Quadrille/exceptions.h>
@@ -126,6 +127,9 @@ inline Surface_domain make_surface(const Labelled_mesh& input, const std::string
   if (!has_all_features)
     features = find_unlabelled_features(input, checked.point_of_input, options, domain);
   Curve_tracer<Surface_domain::Point_3>(input, checked.point_of_input, options.corner_degrees, domain).run(features);
+  if (const int n = options.split_chords ? Chord_splitter_in_space(domain).run() : 0; n > 0)
+    domain.notes.push_back(std::to_string(n) + (n == 1 ? " vertex was" : " vertices were") +
+                           " added where triangles had all their corners on curves");
   domain.point_size.assign(domain.mesh.number_of_vertices(), 0);
   return domain;
 }
