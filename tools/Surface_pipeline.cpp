@@ -4,6 +4,7 @@
 #include "Surface_pipeline.h"
 
 #include "field_maps.h"
+#include "folded_map.h"
 #include "labelled_quads.h"
 
 #include <Quadrille/Surface_tangent_traits.h>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -57,10 +59,9 @@ void find_singularities(const Surface_domain& domain, Surface_pipeline_result& r
                      ", and the Euler characteristic is " + std::to_string(euler) + "; please report this");
 }
 
-} // namespace
-
-void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
-                          const Surface_pipeline_options& options, Surface_pipeline_result& result)
+/// The field with the best map, if maps are asked for, and that map.
+void compute_field_and_map(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
+                           const Surface_pipeline_options& options, Surface_pipeline_result& result)
 {
   Start_maps<Mesh> maps(options.field.starts);
   std::vector<double> poisson_errors(maps.candidates.size(), std::numeric_limits<double>::infinity());
@@ -93,10 +94,42 @@ void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_f
   Field_candidate<Mesh>& chosen = maps.candidates[std::size_t(result.field->chosen)];
   result.map = chosen.map ? std::move(chosen.map) : make_map(result.gradients, chosen.corner_uv);
   result.corner_uv = std::move(chosen.corner_uv);
-  if (options.make_quads)
-    result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv),
-                                      domain.chain_map(), domain.region_map(), result.quads, options.extraction,
-                                      Chosen_quantizer(options.quantizer, options.optimal));
+}
+
+bool is_folded(const Seamless_map<Mesh>& map) { return !map.flipped_faces.empty() || !map.misturned_vertices.empty(); }
+
+void compute_quads(const Surface_domain& domain, const Surface_pipeline_options& options,
+                   Surface_pipeline_result& result)
+{
+  if (is_folded(*result.map))
+    throw No_result_error("map", reason_of_folded_map(domain, *result.map) +
+                                     "; try smaller triangles, or sizes nearer to those of the details there");
+  result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
+                                    domain.region_map(), result.quads, options.extraction,
+                                    Chosen_quantizer(options.quantizer, options.optimal));
+}
+
+} // namespace
+
+void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
+                          Surface_pipeline_options options, Surface_pipeline_result& result)
+{
+  const int n_attempts = options.make_map && options.field.starts > 0 ? options.max_attempts : 1;
+  for (int attempt = 1;; ++attempt) {
+    result = Surface_pipeline_result();
+    const bool is_last = attempt >= n_attempts;
+    try {
+      compute_field_and_map(domain, constraints, options, result);
+      if (options.make_map && options.make_quads)
+        compute_quads(domain, options, result);
+      if (!result.map || !is_folded(*result.map) || is_last)
+        return;
+    } catch (const No_result_error&) {
+      if (is_last)
+        throw;
+    }
+    options.field.seed += std::uint64_t(options.field.starts);
+  }
 }
 
 std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, const Domain_sizes& sizes,

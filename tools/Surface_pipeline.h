@@ -36,6 +36,8 @@ struct Surface_pipeline_options {
   Seamless_parametrization_options map;
   bool make_map = true; ///< otherwise the field with the lowest energy is taken
   bool make_quads = true;
+  /// Fields from other melted starts, the seeds going on, if there is no valid map or no quads otherwise.
+  int max_attempts = 3;
   Quad_extraction_options extraction;
   Quantizer_kind quantizer = default_quantizer();
   Optimal_quantizer::Options optimal;
@@ -61,10 +63,10 @@ struct Surface_pipeline_result {
 
 /// Field, map and quads of a surface with the sizes of `constraints` (per edge). The field's starts are judged by the
 /// integration errors of their untangled maps, of which no more are made than it takes to find the least. `result` is
-/// filled as far as the run gets, also when it throws. \throws No_result_error if the indices of the chosen field do
-/// not add up to the Euler characteristic, and as the stages do.
+/// filled as far as the (last) attempt gets, also when it throws. \throws No_result_error if the indices of the chosen
+/// field do not add up to the Euler characteristic, and as the stages do.
 void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
-                          const Surface_pipeline_options& options, Surface_pipeline_result& result);
+                          Surface_pipeline_options options, Surface_pipeline_result& result);
 
 /// |log(size / prescribed size)| along curves where a size is prescribed, with the sizes of the map: length over
 /// length in (u, v). Nothing where none is.

@@ -37,7 +37,7 @@ template <class Domain> struct Is_on_curve {
 template <class Mesh> double cost_of_map(const Seamless_map<Mesh>& map)
 {
   const std::size_t n_folded = std::size_t(map.flipped) + map.misturned_vertices.size();
-  return n_folded == 0 ? map.integration_error : 1e3 + double(n_folded);
+  return n_folded == 0 ? map.integration_error : Field_evaluator::useless + double(n_folded);
 }
 
 /// What a start made: its field, and the map of that unless there is none.

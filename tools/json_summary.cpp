@@ -229,6 +229,8 @@ void add_stages(const Surface_pipeline_result& result, Field_solver_kind solver,
     summary["map"] = json_of_map(*result.map, result.smooth_integration_error);
   if (result.size_error)
     summary["map"]["size_error"] = {{"mean", result.size_error->mean}, {"max", result.size_error->max}};
+  if (result.extraction)
+    add_extraction(*result.extraction, summary);
 }
 
 std::string text_of_counts(const std::map<int, int>& counts)

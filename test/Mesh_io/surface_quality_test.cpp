@@ -141,6 +141,26 @@ TEST(Surface_validity, names_what_is_wrong)
   EXPECT_EQ(check_quad_mesh(mesh).boundary_loops, 1);
 }
 
+TEST(Surface_validity, closed_parts_may_touch_and_borders_may_not)
+{
+  Labelled_mesh mesh = cube_of_quads(2);
+  const Labelled_mesh first = mesh;
+  for (const std::array<double, 3>& p : first.points)
+    mesh.points.push_back({p[0] + 2, p[1], p[2]});
+  for (std::vector<int> quad : first.polygons) {
+    for (int& v : quad)
+      v += int(first.points.size());
+    mesh.polygons.push_back(quad);
+  }
+  EXPECT_TRUE(check_quad_mesh(mesh).is_valid());
+  EXPECT_EQ(check_quad_mesh(mesh).components, 2);
+
+  const Labelled_mesh folded =
+      quads({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}, {1, 0, 0}, {1, 1, 0}},
+            {{0, 1, 2, 3}, {6, 4, 5, 7}});
+  EXPECT_EQ(check_quad_mesh(folded).duplicate_vertices, 2u);
+}
+
 TEST(Surface_validity, flat_corners_are_decided_exactly)
 {
   for (const double scale : {1.0, 1e8, 1e-8}) {

@@ -382,6 +382,21 @@ TEST(Odeco_surface_field, confirms_no_more_costs_than_it_takes_to_find_the_least
   EXPECT_EQ(field.result.starts[4].cost, 2.8);
 }
 
+TEST(Odeco_surface_field, takes_the_smooth_start_only_where_all_others_are_useless)
+{
+  const Space_triangles triangles = torus(12, 6, 2, 1);
+  const auto chosen = [&](const std::vector<double>& costs) {
+    Surface_field_options options = quick(1);
+    options.size_deviation_weight = 0;
+    const Field_evaluator evaluator([](std::size_t, const auto&) { return 0.5; },
+                                    [&](std::size_t start, const auto&) { return costs[start]; });
+    return surface_field(triangles, options, {}, evaluator).result.chosen;
+  };
+  EXPECT_EQ(chosen({1, 999, 1001}), 1);
+  EXPECT_EQ(chosen({1, 1002, 1001}), 0);
+  EXPECT_EQ(chosen({1003, 1002, 1001}), 2);
+}
+
 TEST(Odeco_surface_field, components_have_their_own_fields)
 {
   const Field field = surface_field(united(torus(16, 8, 2, 1), moved(cube(3), some_rotation, 0.5, {9, 0, 0})), quick(0),

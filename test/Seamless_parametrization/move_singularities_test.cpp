@@ -22,6 +22,25 @@ std::vector<Gradient_pair> graded_frames(const Planar_mesh& mesh, const Eigen::V
   });
 }
 
+/// Around inner vertices matchings add up to the quadrants, modulo 4.
+bool matchings_fit_quadrants(const Indexed_triangulation& triangulation, const internal::Frame_topology& topology)
+{
+  for (int v = 0; v < triangulation.number_of_vertices(); ++v) {
+    if (triangulation.is_boundary_vertex(v))
+      continue;
+    int sum = topology.vertex_quadrants[std::size_t(v)];
+    const int start = triangulation.outgoing(v);
+    for (int h = triangulation.next_around_source(start);; h = triangulation.next_around_source(h)) {
+      sum += topology.matching[std::size_t(triangulation.opposite(h))];
+      if (h == start)
+        break;
+    }
+    if (sum % 4 != 0)
+      return false;
+  }
+  return true;
+}
+
 TEST(Moving_singularities, a_quadrant_goes_where_the_map_has_it)
 {
   const Planar_mesh mesh = glued_squares_mesh(5, 6);
@@ -39,19 +58,7 @@ TEST(Moving_singularities, a_quadrant_goes_where_the_map_has_it)
   EXPECT_EQ(internal::Singularity_mover(triangulation, map.topology)({0, target}, turned), 1);
   EXPECT_EQ(map.topology.vertex_quadrants[0], 4);
   EXPECT_EQ(map.topology.vertex_quadrants[std::size_t(target)], 5);
-  // The matchings say the same: around a vertex they add up to its quadrants, modulo 4.
-  for (int v = 0; v < triangulation.number_of_vertices(); ++v) {
-    if (triangulation.is_boundary_vertex(v))
-      continue;
-    int sum = 0;
-    const int start = triangulation.outgoing(v);
-    for (int h = triangulation.next_around_source(start);; h = triangulation.next_around_source(h)) {
-      sum += map.topology.matching[std::size_t(triangulation.opposite(h))];
-      if (h == start)
-        break;
-    }
-    EXPECT_EQ((sum + map.topology.vertex_quadrants[std::size_t(v)]) % 4, 0) << v;
-  }
+  EXPECT_TRUE(matchings_fit_quadrants(triangulation, map.topology));
 }
 
 TEST(Moving_singularities, nothing_to_move_to)
@@ -88,6 +95,48 @@ TEST(Moving_singularities, a_misplaced_one_finds_its_place)
     for (int v = 0; v < triangulation.number_of_vertices(); ++v)
       if (map.topology.vertex_quadrants[std::size_t(v)] == 5) {
         EXPECT_LT((mesh.points[std::size_t(v)] - Eigen::Vector2d(-0.6, 0.0)).norm(), 0.2); // three edges
+      }
+  }
+}
+
+TEST(Moving_singularities, next_to_a_curve_a_quadrant_goes_to_the_end_where_the_map_turns_further)
+{
+  const Planar_mesh mesh = glued_squares_mesh(5, 6);
+  const Indexed_triangulation triangulation(mesh.points.size(), mesh.triangles);
+  for (const bool is_at_source : {true, false}) {
+    Seamless_map_data map = compute_map(mesh, graded_frames(mesh, {0, 0}, 0));
+    // A triangle with one side on the boundary, whose apex has the singularity.
+    int side = -1;
+    for (int h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if (triangulation.is_boundary(h) &&
+          !triangulation.is_boundary_vertex(triangulation.source(Indexed_triangulation::prev(h))))
+        side = h;
+    ASSERT_GE(side, 0);
+    const int apex = triangulation.source(Indexed_triangulation::prev(side));
+    std::vector<int> turned = map.topology.vertex_quadrants;
+    turned[0] = 1;
+    turned[std::size_t(apex)] = 8;
+    ASSERT_EQ(internal::Singularity_mover(triangulation, map.topology)({0, apex}, turned), 1);
+    const std::vector<int> before = map.topology.vertex_quadrants;
+    ASSERT_EQ(before[std::size_t(apex)], 5);
+    // The neighbour at one end turns by nearly 180 degrees there.
+    const int beyond = triangulation.opposite(is_at_source ? Indexed_triangulation::prev(side)   // source to apex
+                                                           : Indexed_triangulation::next(side)); // apex to target
+    const int corner = is_at_source ? beyond : Indexed_triangulation::next(beyond); // of the neighbour, on the boundary
+    map.uv[std::size_t(corner)] = 0.5 * (map.uv[std::size_t(Indexed_triangulation::next(corner))] +
+                                         map.uv[std::size_t(Indexed_triangulation::prev(corner))]);
+    EXPECT_EQ(internal::Singularity_mover(triangulation, map.topology).hand_to_curves({side / 3}, map.uv), 1);
+    const int end = is_at_source ? triangulation.source(side) : triangulation.target(side);
+    EXPECT_EQ(triangulation.source(corner), end);
+    for (int v = 0; v < triangulation.number_of_vertices(); ++v)
+      EXPECT_EQ(map.topology.vertex_quadrants[std::size_t(v)] - before[std::size_t(v)], v == end    ? 1
+                                                                                        : v == apex ? -1
+                                                                                                    : 0);
+    EXPECT_EQ(map.topology.repaired_vertices, std::vector<int>{end});
+    EXPECT_TRUE(matchings_fit_quadrants(triangulation, map.topology));
+    for (const auto& sector : map.topology.sectors)
+      if (sector.vertex == end) {
+        EXPECT_EQ(sector.quadrants, map.topology.vertex_quadrants[std::size_t(end)]);
       }
   }
 }

@@ -27,7 +27,7 @@ struct Mesh_validity {
   std::size_t inverted_corners = 0;
   std::size_t non_manifold_edges = 0;    ///< in more than two quads, or in two that are oriented differently
   std::size_t non_manifold_vertices = 0; ///< where several fans of quads meet
-  std::size_t duplicate_vertices = 0;    ///< with the coordinates of another one
+  std::size_t duplicate_vertices = 0;    ///< with the coordinates of another one that they should be one with
   std::size_t overlapping_borders = 0;   ///< 1 if a planar border meets itself: hanging vertices, overlaps
   std::size_t isolated_vertices = 0;     ///< in no quad; allowed
   int boundary_loops = 0;
@@ -40,7 +40,8 @@ struct Mesh_validity {
 };
 
 /// A mesh whose z varies by more than rounding is one of a surface. Whether a surface meets itself where it is not
-/// connected is not examined, except that no two vertices may have the same coordinates. Complexity: O(n log n).
+/// connected is not examined, except that no two vertices of one part, or of two borders, may have the same
+/// coordinates: the parts of an assembly may touch. Complexity: O(n log n).
 Mesh_validity check_quad_mesh(const Labelled_mesh& mesh);
 
 /// How good the quads of a mesh are.

@@ -41,6 +41,10 @@ struct Field_evaluator {
   /// gradient pairs in the order of `faces(mesh)`.
   using Cost = std::function<double(std::size_t start, const std::vector<Gradient_pair>&)>;
 
+  /// Costs from here on are those of fields that are of no use, such as ones without a valid map. Only where that is so
+  /// for all other starts is the smooth field considered.
+  static constexpr double useless = 1e3;
+
   Cost estimate; ///< of every candidate; called from several threads at once; empty: the field's energy
   /// Where the true cost takes long: called for one candidate after the other, by growing estimates, until no estimate
   /// of the others is below the least cost. Never less than the estimate. Empty: the estimate is the cost.

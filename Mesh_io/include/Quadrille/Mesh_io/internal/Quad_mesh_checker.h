@@ -40,9 +40,9 @@ public:
     count_edges();
     check_polygons();
     check_edges();
+    count_parts();
     check_duplicates();
     check_fans();
-    count_parts();
     check_border();
     return std::move(m_result);
   }
@@ -60,6 +60,8 @@ protected:
   /// What is wrong with an edge that several polygons pass in the same direction, `n_back` others in the other one.
   virtual std::string edge_problem(int n, int n_back) const = 0;
   virtual void check_border() {}
+  /// Whether different parts may have vertices in one place.
+  virtual bool parts_may_touch() const { return false; }
 
   void problem(std::size_t& count, const std::string& sentence)
   {
@@ -75,6 +77,30 @@ protected:
   std::vector<Numbered_segment> m_border; ///< edges of one polygon only, in its direction
 
 private:
+  class Disjoint_sets {
+  public:
+    explicit Disjoint_sets(std::size_t n = 0) : m_parent(n) { std::iota(m_parent.begin(), m_parent.end(), 0); }
+
+    /// Whether they were apart.
+    bool join(int a, int b)
+    {
+      a = root(a);
+      b = root(b);
+      m_parent[std::size_t(a)] = b;
+      return a != b;
+    }
+
+    int root(int v)
+    {
+      while (m_parent[std::size_t(v)] != v)
+        v = m_parent[std::size_t(v)] = m_parent[std::size_t(m_parent[std::size_t(v)])];
+      return v;
+    }
+
+  private:
+    std::vector<int> m_parent;
+  };
+
   bool check_coordinates()
   {
     m_is_used.assign(m_mesh.points.size(), 0);
@@ -138,9 +164,20 @@ private:
         order.push_back(int(v));
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return is_before(a, b); });
     for (std::size_t i = 1; i < order.size(); ++i)
-      if (!is_before(order[i - 1], order[i]))
-        problem(m_result.duplicate_vertices, vertex_text(order[i]) + " has the coordinates of vertex " +
-                                                 std::to_string(order[i - 1]) + ": the quads there are not connected");
+      for (std::size_t j = i; j > 0 && !is_before(order[j - 1], order[i]); --j)
+        if (should_be_one(order[j - 1], order[i])) {
+          problem(m_result.duplicate_vertices, vertex_text(order[i]) + " has the coordinates of vertex " +
+                                                   std::to_string(order[j - 1]) +
+                                                   ": the quads there are not connected");
+          break;
+        }
+  }
+
+  /// Of two vertices in one place. Closed parts of an assembly touch, and do not belong together for that.
+  bool should_be_one(int a, int b)
+  {
+    return !parts_may_touch() || m_parts.root(a) == m_parts.root(b) ||
+           (m_is_on_border[std::size_t(a)] && m_is_on_border[std::size_t(b)]);
   }
 
   /// Corners at a vertex belong to one fan if edges that leave it connect them. Border edges alone would not tell: a
@@ -173,44 +210,23 @@ private:
 
   void count_parts()
   {
-    Disjoint_sets sets(m_is_used.size()), border_sets(m_is_used.size());
+    Disjoint_sets border_sets(m_is_used.size());
+    m_parts = Disjoint_sets(m_is_used.size());
     m_result.components = int(std::count(m_is_used.begin(), m_is_used.end(), 1));
     for (const std::vector<int>& polygon : m_mesh.polygons)
       for (std::size_t i = 1; i < polygon.size(); ++i)
-        m_result.components -= sets.join(polygon[0], polygon[i]);
-    std::vector<char> is_on_border(m_is_used.size(), 0);
+        m_result.components -= m_parts.join(polygon[0], polygon[i]);
+    m_is_on_border.assign(m_is_used.size(), 0);
     for (const Numbered_segment& s : m_border)
-      is_on_border[std::size_t(s.ends[0])] = is_on_border[std::size_t(s.ends[1])] = 1;
-    m_result.boundary_loops = int(std::count(is_on_border.begin(), is_on_border.end(), 1));
+      m_is_on_border[std::size_t(s.ends[0])] = m_is_on_border[std::size_t(s.ends[1])] = 1;
+    m_result.boundary_loops = int(std::count(m_is_on_border.begin(), m_is_on_border.end(), 1));
     for (const Numbered_segment& s : m_border)
       m_result.boundary_loops -= border_sets.join(s.ends[0], s.ends[1]);
   }
 
-  class Disjoint_sets {
-  public:
-    explicit Disjoint_sets(std::size_t n) : m_parent(n) { std::iota(m_parent.begin(), m_parent.end(), 0); }
-
-    /// Whether they were apart.
-    bool join(int a, int b)
-    {
-      a = root(a);
-      b = root(b);
-      m_parent[std::size_t(a)] = b;
-      return a != b;
-    }
-
-  private:
-    int root(int v)
-    {
-      while (m_parent[std::size_t(v)] != v)
-        v = m_parent[std::size_t(v)] = m_parent[std::size_t(m_parent[std::size_t(v)])];
-      return v;
-    }
-
-    std::vector<int> m_parent;
-  };
-
   std::vector<char> m_is_used;
+  Disjoint_sets m_parts;
+  std::vector<char> m_is_on_border;
   std::map<std::pair<int, int>, int> m_uses; ///< of directed edges
 };
 

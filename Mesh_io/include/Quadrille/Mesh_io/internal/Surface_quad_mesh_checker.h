@@ -64,6 +64,8 @@ private:
 
   bool is_before(int a, int b) const override { return m_mesh.points[std::size_t(a)] < m_mesh.points[std::size_t(b)]; }
 
+  bool parts_may_touch() const override { return true; }
+
   std::string edge_problem(int n, int n_back) const override
   {
     if (n + n_back == 2)

@@ -104,7 +104,7 @@ protected:
   /// Fills `result` with what is the same in the plane and on surfaces. \returns the unknowns of the chosen start
   const Eigen::VectorXd& choose_start(Field_run_result& result, Gradients& gradients)
   {
-    result.chosen = m_evaluator.confirm ? best_confirmed_start() : best_start(m_starts);
+    result.chosen = m_evaluator.confirm ? best_confirmed_start() : best_start();
     result.starts = m_starts;
     for (const Field_start& start : m_starts)
       result.iterations += start.iterations;
@@ -115,12 +115,19 @@ protected:
   }
 
 private:
+  /// Energies can have any value, so only costs of an evaluator tell what is useless.
+  int best_start() const
+  {
+    return m_evaluator.estimate ? internal::best_start(m_starts, Field_evaluator::useless)
+                                : internal::best_start(m_starts);
+  }
+
   /// Costs grow when they are confirmed, so the best start is the first to be confirmed and still the best.
   int best_confirmed_start()
   {
     std::vector<char> is_confirmed(m_starts.size(), 0);
     for (;;) {
-      const int best = best_start(m_starts);
+      const int best = best_start();
       const auto i = std::size_t(best);
       if (is_confirmed[i])
         return best;

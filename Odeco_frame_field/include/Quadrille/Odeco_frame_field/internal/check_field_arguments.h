@@ -9,6 +9,7 @@
 #include <Quadrille/exceptions.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -57,13 +58,16 @@ inline void check_schedule(const Melt_and_freeze_schedule& schedule, int starts,
                                  "above 1, a noise that is not negative and a positive number of triangles");
 }
 
-/// The place of the start with the lowest cost, of the smooth one only if no other is valid.
+/// The place of the start with the lowest cost; the smooth one only if no other is valid and costs less than `useless`.
 /// \throws No_result_error if none is valid
-inline int best_start(const std::vector<Field_start>& starts)
+inline int best_start(const std::vector<Field_start>& starts, double useless = std::numeric_limits<double>::infinity())
 {
   const Field_start* best = nullptr;
+  const auto is_better = [&](const Field_start& start) {
+    return !best || (best->kind == Field_start::Kind::smooth && start.cost < useless) || start.cost < best->cost;
+  };
   for (const Field_start& start : starts)
-    if (start.valid && (!best || best->kind == Field_start::Kind::smooth || start.cost < best->cost))
+    if (start.valid && is_better(start))
       best = &start;
   if (!best)
     throw No_result_error("field", "no start led to a frame field with positive sizes everywhere; prescribe sizes "

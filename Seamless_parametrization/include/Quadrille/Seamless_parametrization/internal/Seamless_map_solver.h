@@ -283,10 +283,11 @@ Seamless_map_data Seamless_map_solver<Solver>::operator()(const std::vector<Grad
   for (int moves = 0;; ++moves) {
     const bool may_move = options.untangle && options.move_singularities && moves < max_moves;
     compute(gradients, options, may_move, map);
-    if (!may_move || !map.flipped_faces.empty() || map.misturned_vertices.empty())
+    if (!may_move || (map.flipped_faces.empty() && map.misturned_vertices.empty()))
       break;
-    const int n_moved =
-        Singularity_mover(m_mesh, map.topology)(map.misturned_vertices, turned_quadrants(m_mesh, map.uv));
+    Singularity_mover mover(m_mesh, map.topology);
+    const int n_moved = map.flipped_faces.empty() ? mover(map.misturned_vertices, turned_quadrants(m_mesh, map.uv))
+                                                  : mover.hand_to_curves(map.flipped_faces, map.uv);
     if (n_moved == 0)
       break;
     map.moved_singularities += n_moved;

@@ -7,7 +7,10 @@
 #include <Quadrille/Seamless_parametrization/internal/Frame_topology.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <queue>
 #include <vector>
@@ -53,6 +56,26 @@ public:
     return n_moved;
   }
 
+  /// The place where a map has its branch point may be on a curve, or beyond it: then the singularity comes to lie next
+  /// to the curve, and the triangle between them stays flipped, since a neighbour takes up what it lacks. Such a
+  /// singularity hands a quadrant to that end of the triangle's curve edge where the map `uv` of the corners turns
+  /// further; the curve has an irregular vertex there then. Returns how many did.
+  /// Complexity: linear in the number of `flipped` faces.
+  int hand_to_curves(const std::vector<int>& flipped, const std::vector<Eigen::Vector2d>& uv)
+  {
+    int n_moved = 0;
+    for (const int f : flipped)
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        const int v = m_mesh.source(h);
+        if (sector_at(v).constrained || sector_at(v).quadrants < 5 ||
+            m_topology.alignment[std::size_t(Indexed_triangulation::next(h))] < 0)
+          continue;
+        hand_to_curve(h, uv);
+        ++n_moved;
+      }
+    return n_moved;
+  }
+
 private:
   Frame_topology::Sector& sector_at(int v)
   {
@@ -88,14 +111,47 @@ private:
     return -1;
   }
 
+  /// From the source of `h` to an end of the opposite edge.
+  void hand_to_curve(int h, const std::vector<Eigen::Vector2d>& uv)
+  {
+    const int other = m_mesh.opposite(Indexed_triangulation::prev(h)); // leaves the same vertex
+    // The corners at the curve of the faces beyond both edges: that leave `h`'s target, and arrive at the other's.
+    const int corner = m_mesh.opposite(h), other_corner = Indexed_triangulation::next(other);
+    const bool is_first = turn(corner, uv) >= turn(other_corner, uv);
+    const int edge = is_first ? h : other,
+              sector = m_topology.sector_of_corner[std::size_t(is_first ? corner : other_corner)];
+    const int from = m_mesh.source(h), to = m_mesh.target(edge);
+    hand_over(edge);
+    sector_at(from).quadrants -= 1;
+    m_topology.vertex_quadrants[std::size_t(from)] -= 1;
+    m_topology.sectors[std::size_t(sector)].quadrants += 1;
+    m_topology.vertex_quadrants[std::size_t(to)] += 1;
+    m_topology.repaired_vertices.push_back(to);
+  }
+
+  /// The angle of a corner in the map.
+  static double turn(int corner, const std::vector<Eigen::Vector2d>& uv)
+  {
+    const Eigen::Vector2d& apex = uv[std::size_t(corner)];
+    const Eigen::Vector2d first = uv[std::size_t(Indexed_triangulation::next(corner))] - apex;
+    const Eigen::Vector2d second = uv[std::size_t(Indexed_triangulation::prev(corner))] - apex;
+    return std::atan2(cross(first, second), first.dot(second));
+  }
+
+  /// A quadrant from the source of a halfedge to its target.
+  void hand_over(int h)
+  {
+    int& matching = m_topology.matching[std::size_t(h)];
+    int& opposite_matching = m_topology.matching[std::size_t(m_mesh.opposite(h))];
+    matching = (matching + 3) & 3;
+    opposite_matching = (opposite_matching + 1) & 3;
+  }
+
   void move_quadrant(int from, int to)
   {
     for (int v = to; v != from;) {
       const int h = m_arrival[std::size_t(v)];
-      int& matching = m_topology.matching[std::size_t(h)];
-      int& opposite_matching = m_topology.matching[std::size_t(m_mesh.opposite(h))];
-      matching = (matching + 3) & 3;
-      opposite_matching = (opposite_matching + 1) & 3;
+      hand_over(h);
       v = m_mesh.source(h);
     }
     for (const int v : {from, to}) {
