@@ -81,6 +81,9 @@ po::options_description quad_options()
   options.add_options()("impose-size-field", "fix these sizes instead of attracting to them");
   options.add_options()("triangle-size", po::value<Strings>()->value_name("H"),
                         "largest edge of the background triangulation (default: chosen and printed)");
+  options.add_options()("quads", po::value<Strings>()->value_name("N"),
+                        "number of quads in all, met within 5 % unless details or --count ask for more: sizes are "
+                        "multiplied by a common factor");
   options.add_options()("max-quads", po::value<Strings>()->value_name("N"),
                         "refuse sizes that ask for more quads (default 1000000)");
   options.add_options()("isotropic", "square elements (the default in the plane)");
@@ -241,7 +244,13 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   result.triangle_size = options.number("triangle-size", 0.0, 0.0);
   if (options.has("triangle-size") && result.triangle_size == 0)
     throw Invalid_argument_error("option --triangle-size: the size must be positive");
+  result.quads = options.number<std::size_t>("quads", 0, 0);
+  if (options.has("quads") && result.quads == 0)
+    throw Invalid_argument_error("option --quads: the number must be positive");
   result.max_quads = options.number<std::size_t>("max-quads", result.max_quads, 1);
+  if (result.quads > result.max_quads)
+    throw Invalid_argument_error("option --quads asks for more than the limit, " + std::to_string(result.max_quads) +
+                                 "; raise it with --max-quads");
   const std::string solver = options.one("solver", "lm");
   const std::map<std::string, Field_solver_kind> solvers = {{"lm", Field_solver_kind::levenberg_marquardt},
                                                             {"lbfgs", Field_solver_kind::lbfgs},

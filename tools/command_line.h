@@ -30,6 +30,7 @@ struct Quad_arguments {
   std::string size_field;             ///< file with sizes inside; empty: none
   double size_field_weight = Odeco_field_options().target_size_weight;
   bool impose_size_field = false;
+  std::size_t quads = 0;                       ///< wanted in all, by scaling the sizes; 0: as the sizes are
   std::size_t max_quads = 1000000;             ///< sizes that ask for more are refused
   bool isotropic = false, anisotropic = false; ///< neither: isotropic in the plane, anisotropic on surfaces
   std::optional<Surface_field_weights> preset; ///< of surfaces; otherwise chosen by what is prescribed

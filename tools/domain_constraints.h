@@ -11,7 +11,11 @@
 #include <Quadrille/domain_curves.h>
 #include <Quadrille/exceptions.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -31,6 +35,27 @@ std::vector<Edge_frame_constraint> constraints_of(const Domain& domain, const Do
     constraints[e] = {is_on_curve || has_size, is_on_curve, sizes.of_edge[e][0], sizes.of_edge[e][1], weak};
   }
   return constraints;
+}
+
+/// Multiplies all prescribed sizes.
+inline void scale_sizes(Domain_sizes& sizes, double factor)
+{
+  for (std::array<Frame_size, 2>& ends : sizes.of_edge)
+    for (Frame_size& size : ends)
+      size = {factor * size.normal, factor * size.tangential};
+}
+
+/// For the option --quads: the factor of sizes that ask for `estimate` quads.
+inline double factor_for_number(std::size_t wanted, double estimate, std::vector<std::string>& notes)
+{
+  if (wanted == 0 || !(estimate > 0))
+    return 1;
+  const double factor = std::sqrt(estimate / double(wanted));
+  std::ostringstream note;
+  note.precision(3);
+  note << "sizes are multiplied by about " << factor << ", for " << wanted << " quads";
+  notes.push_back(note.str());
+  return factor;
 }
 
 /// What the option --size asks for. \throws Invalid_argument_error

@@ -55,16 +55,21 @@ private:
                                    "': different sizes across and along a curve need anisotropic frames; add "
                                    "--anisotropic or give equal sizes");
     m_sizes = specification.apply(m_domain);
+    const double factor =
+        factor_for_number(m_arguments.quads, estimate_number_of_quads(m_domain, m_sizes), m_sizes.notes);
+    scale_sizes(m_sizes, factor);
     remove_unaligned_curves(m_domain, m_arguments.unaligned);
     check_number_of_quads();
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
-    if (!m_arguments.size_field.empty())
+    if (!m_arguments.size_field.empty()) {
       m_size_field = read_size_field(m_arguments.size_field, m_domain);
-    else if (std::all_of(m_sizes.of_edge.begin(), m_sizes.of_edge.end(),
-                         [](const auto& ends) { return ends[0].is_free() && ends[1].is_free(); }))
+      scale_size_field(factor);
+    } else if (std::all_of(m_sizes.of_edge.begin(), m_sizes.of_edge.end(),
+                           [](const auto& ends) { return ends[0].is_free() && ends[1].is_free(); })) {
       throw Invalid_argument_error(
           "all sizes are free, so elements of any size would do; prescribe one on some curve, or "
           "inside with --size-field");
+    }
     if (!m_size_field.metric.empty() && !m_arguments.anisotropic)
       throw Invalid_argument_error(m_arguments.size_field + ": metrics, and places with two sizes, need anisotropic " +
                                    "frames; add --anisotropic or give one size at each place");
@@ -76,6 +81,14 @@ private:
     m_console.print(line.str());
     print_notes(m_domain.notes);
     print_notes(m_sizes.notes);
+  }
+
+  void scale_size_field(double factor)
+  {
+    for (double& size : m_size_field.size)
+      size *= factor;
+    for (Eigen::Matrix2d& metric : m_size_field.metric)
+      metric /= factor * factor;
   }
 
   /// A size that is too small by mistake should not cost hours and all memory.
@@ -106,6 +119,7 @@ private:
     options.field.threads = m_arguments.threads;
     options.extraction.layout = m_arguments.layout;
     options.extraction.counts = m_counts;
+    options.extraction.quads = m_arguments.quads;
     options.quantizer = m_arguments.quantizer;
     options.extraction.max_quads = 4 * m_arguments.max_quads; // the estimate may be off by a factor
     options.observer = &m_console.observer();
@@ -115,6 +129,7 @@ private:
     const Mesh_validity validity = check_quad_mesh(m_mesh);
     if (!validity.is_valid())
       throw No_result_error("mesh", validity.problems[0]);
+    scale_sizes(m_sizes, 1 / m_result.extraction->scale);
     m_mesh_summary = summarize(m_mesh, m_domain, m_sizes);
     m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }

@@ -16,6 +16,8 @@
 #include <Quadrille/read_size_field.h>
 #include <Quadrille/write_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -62,6 +64,7 @@ private:
     m_typical_size = specification.typical_size(m_domain);
     if (!m_arguments.size_field.empty())
       m_target_size = read_size_field(m_arguments.size_field, m_domain);
+    scale_sizes_for_number();
     remove_unaligned_curves(m_domain, m_arguments.unaligned);
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     m_is_weak = remove_weak_curves(m_domain, m_arguments.weak);
@@ -71,6 +74,18 @@ private:
     m_console.print(line.str());
     print_notes(m_domain.notes);
     print_notes(m_sizes.notes);
+  }
+
+  void scale_sizes_for_number()
+  {
+    double area = 0;
+    for (const auto f : m_domain.mesh.faces())
+      area += CGAL::Polygon_mesh_processing::face_area(f, m_domain.mesh);
+    const double factor = factor_for_number(m_arguments.quads, area / (m_typical_size * m_typical_size), m_sizes.notes);
+    scale_sizes(m_sizes, factor);
+    m_typical_size *= factor;
+    for (double& size : m_target_size)
+      size *= factor;
   }
 
   void compute() override
@@ -95,6 +110,7 @@ private:
     options.make_quads = !m_arguments.outputs.empty();
     options.extraction.layout = m_arguments.layout;
     options.extraction.counts = m_counts;
+    options.extraction.quads = m_arguments.quads;
     options.extraction.threads = m_arguments.threads;
     options.extraction.max_quads = 4 * m_arguments.max_quads; // sizes are met approximately
     options.extraction.observer = &m_console.observer();
@@ -108,6 +124,7 @@ private:
     const Mesh_validity validity = check_quad_mesh(m_mesh);
     if (!validity.is_valid())
       throw No_result_error("mesh", validity.problems[0]);
+    scale_sizes(m_sizes, 1 / m_result.extraction->scale);
     m_mesh_summary = summarize(m_mesh, m_domain, m_sizes);
     m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }

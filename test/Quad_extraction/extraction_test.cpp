@@ -270,6 +270,29 @@ TEST(Extract_quads, refuses_too_many_quads)
   EXPECT_THROW(extract(domain.build(), options), Quadrille::No_result_error);
 }
 
+TEST(Extract_quads, as_many_as_wanted)
+{
+  const auto expect_number = [](const Mapped_mesh& mesh, std::size_t wanted) {
+    SCOPED_TRACE(wanted);
+    const Quadrille::internal::Indexed_triangulation triangulation(mesh.points.size(), mesh.triangles);
+    Quadrille::Quad_extraction_options options;
+    options.quads = wanted;
+    const Extracted extracted = extract(mesh, options);
+    expect_valid(extracted, triangulation.euler_characteristic());
+    EXPECT_NEAR(double(extracted.quads.number_of_faces()), double(wanted), 0.05 * double(wanted));
+    EXPECT_LT(std::abs(extracted.result.area_change_relative), 0.1);
+    return extracted.result.scale;
+  };
+  Glued_rectangles rectangle = cell_grid(1, 1);
+  rectangle.length = [](int a, int b) { return std::abs(a - b) == 1 ? 6.8 : 3.3; };
+  EXPECT_NEAR(expect_number(rectangle.build(), 2000), std::sqrt(2000 / (6.8 * 3.3)), 0.2);
+  EXPECT_NEAR(expect_number(rectangle.build(), 21), 1, 0.05);
+  for (const std::size_t wanted : {300, 3000, 30000})
+    expect_number(uneven_star().build(), wanted);
+  for (unsigned seed = 0; seed < 10; ++seed)
+    expect_number(random_domain(seed).build(), 3000);
+}
+
 TEST(Extract_quads, can_be_cancelled)
 {
   const Quadrille::Progress_observer observer([](const std::string& stage, double) { return stage != "mesh"; });

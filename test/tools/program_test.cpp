@@ -268,6 +268,20 @@ TEST_F(Program, numbers_of_elements_on_curves_are_met)
                    4, "9 on '1', 8 on '3'");
 }
 
+TEST_F(Program, has_as_many_quads_as_wanted)
+{
+  const std::string in = square(), json = path("a.json");
+  for (const int wanted : {150, 2000}) {
+    ASSERT_EQ(run({"quad", in, "-o", path("a.msh"), "--size", "0.5", "--size", "bottom=0.25", "--quads",
+                   std::to_string(wanted), "--starts", "1", "--triangle-size", "0.3", "--json", json}),
+              0)
+        << m_error;
+    const nlohmann::json summary = nlohmann::json::parse(content(json));
+    EXPECT_NEAR(summary["mesh"]["quads"], wanted, 0.05 * wanted);
+    EXPECT_LT(summary["mesh"]["size_error"]["mean"], 0.2); // of the sizes after scaling
+  }
+}
+
 TEST_F(Program, a_run_without_result_reports_the_stages_that_succeeded)
 {
   // One triangle: three right angles do not add up to a disk, and there is no vertex inside for a singularity.

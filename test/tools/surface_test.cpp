@@ -151,6 +151,21 @@ TEST_F(Surface, cube_becomes_squares_with_its_edges_as_curves)
   EXPECT_EQ(summary()["against"]["flipped_quads"], 0);
 }
 
+TEST_F(Surface, has_as_many_quads_as_wanted)
+{
+  const std::string cube = write("cube.off", cube_in_off(6, false));
+  for (const int wanted : {600, 2400}) {
+    ASSERT_EQ(run({"quad", cube, "--quads", std::to_string(wanted), "--starts", "0", "-o", path("q.msh"), "--json",
+                   path("summary.json")}),
+              0)
+        << m_error;
+    EXPECT_EQ(summary()["mesh"]["quads"], wanted);
+    EXPECT_LT(summary()["mesh"]["size_error"]["max"], 1e-3); // sizes are scaled, too
+  }
+  EXPECT_EQ(run({"quad", cube, "--quads", "0", "-o", path("q.msh")}), 2);
+  EXPECT_EQ(run({"quad", cube, "--quads", "2000000", "-o", path("q.msh")}), 2);
+}
+
 TEST_F(Surface, a_tetrahedron_of_four_triangles_becomes_three_blocks_on_each_side)
 {
   const std::string tetrahedron =

@@ -21,6 +21,9 @@ struct Quad_extraction_options {
   bool smooth = true;                       ///< false: leave the quads where the map puts them; they may be inverted
   Layout_kind layout = Layout_kind::t_mesh; ///< by which isolines the domain is cut into patches
   std::vector<Curve_count> counts;          ///< numbers of elements on curves, to be met exactly
+  /// Quads wanted in all: lengths are scaled by a common factor until there are as many, to 2 percent where whole
+  /// numbers, `counts` and small details allow it; 0: as many as the map has units.
+  std::size_t quads = 0;
   bool measure_gap = true;          ///< bound the cost of the best lengths if the quantizer does not (takes some time)
   int min_loop_edges = 4;           ///< least number of edges on every border loop and closed feature
   double kink_degrees = 50;         ///< vertices where a curve turns by more than this become vertices of the quads
@@ -57,7 +60,9 @@ struct Quad_extraction_result {
   Quantization quantization;                                     ///< integer lengths of the layout's arcs
   int refinements = 0;                                           ///< see `max_refinements`
   int collapsed_arcs = 0;                                        ///< arcs of length 0
-  double area_change_relative = 0; ///< (sum of the patches' integer areas) / (sum of their map areas) - 1
+  double scale = 1; ///< of the map's lengths, for `Quad_extraction_options::quads`
+  double area_change_relative =
+      0; ///< (sum of the patches' integer areas) / (sum of their map areas times `scale`^2) - 1
 
   Quad_smoothing_report smoothing;
   double layout_seconds = 0; ///< reading and checking the map included

@@ -4,14 +4,13 @@
 #ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_EXTRACT_INDEXED_QUADS_IMPL_H
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_EXTRACT_INDEXED_QUADS_IMPL_H
 
-#include <Quadrille/Optimal_quantizer.h>
 #include <Quadrille/Quad_extraction/internal/Lap_timer.h>
 #include <Quadrille/Quad_extraction/internal/Layout_builder.h>
-#include <Quadrille/Quad_extraction/internal/Length_deviation.h>
 #include <Quadrille/Quad_extraction/internal/Quad_assembly.h>
 #include <Quadrille/Quad_extraction/internal/Quad_checks.h>
 #include <Quadrille/Quad_extraction/internal/Quad_smoother.h>
 #include <Quadrille/Quad_extraction/internal/extract_indexed_quads.h>
+#include <Quadrille/Quad_extraction/internal/quantize_layout.h>
 #include <Quadrille/Quad_extraction/internal/refine_patches.h>
 
 #include <algorithm>
@@ -93,50 +92,6 @@ void check_sector_angles(const Seamless_map& map, const std::vector<Eigen::Matri
   }
 }
 
-/// Asks the quantizer; an answer that breaks the constraints is an error of its own. Adds cost and gap.
-inline Quantization quantize(const Quad_layout& layout, const Layout_quantizer& quantizer,
-                             const Quad_extraction_options& options, Length_constraints& constraints)
-{
-  Quantization result = quantizer(layout, constraints);
-  if (!constraints.learn(result.lengths))
-    throw No_result_error("quantization", "the lengths of the " + result.method +
-                                              " quantizer would merge what must stay apart, miss a requested count, or "
-                                              "differ on opposite sides of a patch");
-  const Length_deviation deviation(layout);
-  result.cost = deviation.cost(result.lengths);
-  result.deviation = deviation.relative(result.cost);
-  if (options.measure_gap && !std::isfinite(result.lower_bound))
-    result.lower_bound = quantization_bound(layout, constraints);
-  if (std::isfinite(result.lower_bound))
-    result.optimality_gap = result.cost > 0 ? std::max(0.0, result.cost - result.lower_bound) / result.cost : 0;
-  return result;
-}
-
-/// Sets `result.area_change_relative`, `collapsed_arcs`. \throws No_result_error if there are too many quads.
-inline void judge_quantization(const Quad_extraction_options& options, Quad_extraction_result& result)
-{
-  const Quad_layout& layout = result.layout;
-  double before = 0;
-  double after = 0;
-  for (const Quad_layout::Patch& patch : layout.patches) {
-    std::array<double, 2> length = {0, 0};
-    std::array<double, 2> quads = {0, 0};
-    for (std::size_t side = 0; side < 2; ++side)
-      for (const int h : patch.sides[side]) {
-        length[side] += layout.arc_of(h).length;
-        quads[side] += at(result.quantization.lengths, h / 2);
-      }
-    before += length[0] * length[1];
-    after += quads[0] * quads[1];
-  }
-  result.area_change_relative = (after - before) / before;
-  result.collapsed_arcs =
-      static_cast<int>(std::count(result.quantization.lengths.begin(), result.quantization.lengths.end(), 0));
-  if (after > double(options.max_quads))
-    throw No_result_error("quantization", "the mesh would have " + std::to_string(after) +
-                                              " quads; ask for larger elements or raise max_quads");
-}
-
 inline Quad_ground<2> quad_ground(const Seamless_map&, const std::vector<Eigen::Vector2d>&) { return {}; }
 
 inline Quad_ground<3> quad_ground(const Seamless_map& map, const std::vector<Eigen::Vector3d>& points)
@@ -173,15 +128,20 @@ Indexed_quads<D> extract_indexed_quads(const Seamless_map& map, const std::vecto
   Indexed_quads<D> quads;
   const Quad_checks<D> checks(quads);
   Length_constraints constraints(layout, options.min_loop_edges, options.counts);
+  Layout_quantization quantization(layout, quantizer, options, constraints);
   constexpr int max_vain_refinements = 1; // in a row, after which fewer places than ever have to be too coarse
   std::size_t least_places = std::numeric_limits<std::size_t>::max();
   int best_attempt = 0;
   for (int attempt = 0;; ++attempt) {
     report_progress(options, "quantization", 0);
     const double work_before = result.quantization.work;
-    result.quantization = quantize(layout, quantizer, options, constraints);
+    result.quantization = quantization.run();
     result.quantization.work += work_before;
-    judge_quantization(options, result);
+    result.scale = quantization.scale();
+    result.area_change_relative =
+        number_of_quads(layout, result.quantization.lengths) / map_area(quantization.scaled()) - 1;
+    result.collapsed_arcs =
+        static_cast<int>(std::count(result.quantization.lengths.begin(), result.quantization.lengths.end(), 0));
     result.quantization_seconds += timer.lap();
 
     report_progress(options, "mesh", 0);
