@@ -272,8 +272,26 @@ TEST_F(Program, has_as_many_quads_as_wanted)
 {
   const std::string in = square(), json = path("a.json");
   for (const int wanted : {150, 2000}) {
-    ASSERT_EQ(run({"quad", in, "-o", path("a.msh"), "--size", "0.5", "--size", "bottom=0.25", "--quads",
-                   std::to_string(wanted), "--starts", "1", "--triangle-size", "0.3", "--json", json}),
+    ASSERT_EQ(run({"quad",
+                   in,
+                   "-o",
+                   path("a.msh"),
+                   "--size",
+                   "0.5",
+                   "--size",
+                   "bottom=0.25",
+                   "--size",
+                   "2=0.25:0.5",
+                   "--size",
+                   "4=0.5:0.25",
+                   "--quads",
+                   std::to_string(wanted),
+                   "--starts",
+                   "1",
+                   "--triangle-size",
+                   "0.3",
+                   "--json",
+                   json}),
               0)
         << m_error;
     const nlohmann::json summary = nlohmann::json::parse(content(json));
