@@ -5,11 +5,10 @@
 
 #include "field_maps.h"
 #include "labelled_quads.h"
+#include "mesh_score.h"
 #include "refine_around_singularities.h"
 
 #include <Quadrille/Curve_projector.h>
-#include <Quadrille/Mesh_quality.h>
-#include <Quadrille/Size_specification.h>
 #include <Quadrille/odeco_frame_field.h>
 
 #include <algorithm>
@@ -52,6 +51,7 @@ void mesh_field(const Planar_domain& domain, const Meshing_options& options, Qua
   result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
                                     domain.region_map(), result.quads, options.extraction,
                                     Chosen_quantizer(options.quantizer, options.optimal), Curve_projector(domain));
+  result.mesh = labelled_quads(domain, result.quads, *result.extraction);
 }
 
 void choose_start(std::size_t start, const Candidate& candidate, Quad_pipeline_result& result)
@@ -65,47 +65,6 @@ void choose_start(std::size_t start, const Candidate& candidate, Quad_pipeline_r
   field.energy_lie = field.starts[start].energy_lie;
   field.energy_odeco = field.starts[start].energy_odeco;
 }
-
-/// What a user feels of a mesh (`Quad_pipeline_result::mesh_scores`): skew and errors in units of what is still good,
-/// and an irregular vertex like a tenth of a degree of skew.
-double mesh_score(const Planar_domain& domain, const std::vector<Edge_frame_constraint>& constraints, bool isotropic,
-                  const Quad_pipeline_result& result)
-{
-  Domain_sizes sizes;
-  for (const Edge_frame_constraint& constraint : constraints)
-    sizes.of_edge.push_back({constraint.source_size, constraint.target_size});
-  const Labelled_mesh mesh = labelled_quads(domain, result.quads, *result.extraction);
-  int n_irregular = 0;
-  for (const auto& [valence, count] : result.extraction->irregular_vertices)
-    n_irregular += count;
-  const Size_error error = measure_size_error(mesh, domain, sizes);
-  const double size_error = error.length.mean + (isotropic ? 0 : error.aspect.mean);
-  return measure_quality(mesh).skew_mean / 5 + size_error / 0.1 + 0.02 * n_irregular;
-}
-
-/// The starts that may be meshed, by cost: each field once, valid ones before the smooth one, which is only a
-/// reference.
-std::vector<std::size_t> candidates_by_cost(const std::vector<Field_start>& starts,
-                                            const std::vector<Candidate>& candidates, double tolerance)
-{
-  std::vector<std::size_t> order;
-  for (std::size_t i = 1; i < candidates.size(); ++i)
-    if (!candidates[i].gradients.empty())
-      order.push_back(i);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return starts[a].cost < starts[b].cost; });
-  const auto is_near = [tolerance](double x, double y) { return x == y || std::abs(x - y) <= tolerance * std::abs(x); };
-  std::vector<std::size_t> distinct;
-  for (const std::size_t i : order)
-    if (std::none_of(distinct.begin(), distinct.end(), [&](std::size_t j) {
-          return is_near(starts[i].cost, starts[j].cost) && is_near(starts[i].energy, starts[j].energy);
-        }))
-      distinct.push_back(i);
-  return distinct;
-}
-
-/// Scores that differ by less tell of rounding to integers, not of fields.
-constexpr double tolerated_score_ratio = 1.1;
 
 /// A meshed start, and what its mesh is worth.
 struct Scored_result {
@@ -145,7 +104,8 @@ solved_again_around_singularities(const std::vector<Edge_frame_constraint>& cons
   } catch (const Error&) { // also where the finer triangles are too small for doubles
     return {};
   }
-  const double refined_score = mesh_score(refined, problem.constraints, field_options.isotropic, attempt);
+  const double refined_score = mesh_score(refined, problem.constraints, field_options.isotropic, attempt.mesh,
+                                          attempt.extraction->irregular_vertices);
   if (attempt.map->integration_error >= best.result.map->integration_error ||
       refined_score > tolerated_score_ratio * best.score)
     return {};
@@ -175,7 +135,9 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
   result.smooth_integration_error = maps.smooth_integration_error();
 
   const std::vector<Field_start> starts = result.field->starts;
-  std::vector<std::size_t> order = candidates_by_cost(starts, candidates, options.same_field_energy);
+  std::vector<std::size_t> order = starts_by_cost(starts, options.same_field_energy, [&](std::size_t i) {
+    return i > 0 && !candidates[i].gradients.empty(); // the smooth one is only a reference
+  });
   if (order.empty()) { // only the smooth field has positive sizes, or is wanted
     order.push_back(0);
     candidates[0] = {result.gradients, {}, {}};
@@ -206,7 +168,8 @@ void run_quad_pipeline(const Planar_domain& domain, const std::vector<Edge_frame
       choose_start(start, candidates[start], attempt);
       mesh_field(domain, meshing, attempt);
       work_left -= attempt.extraction->quantization.work;
-      const double score = scores[start] = mesh_score(domain, constraints, options.field.isotropic, attempt);
+      const double score = scores[start] = mesh_score(domain, constraints, options.field.isotropic, attempt.mesh,
+                                                      attempt.extraction->irregular_vertices);
       if (!best || score < best->score) {
         second_best = std::move(best);
         best = {score, std::move(attempt)};

@@ -7,6 +7,7 @@
 #include "quantizer_option.h"
 
 #include <Quadrille/Frame_edge_constraints.h>
+#include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/quad_extraction.h>
@@ -64,10 +65,9 @@ struct Quad_pipeline_result {
 
   std::optional<Quad_extraction_result> extraction;
   Mesh quads;
+  Labelled_mesh mesh; ///< the quads with the names of curves and regions
 
-  /// Per start, in the order of `field->starts`: what its mesh was judged by, lower is better; negative if it was not
-  /// meshed. Mean skew in units of 5 degrees, plus the mean errors of prescribed sizes and, for anisotropic fields, of
-  /// prescribed aspect ratios in units of 10 %, plus 0.02 for each irregular vertex.
+  /// Per start, in the order of `field->starts`: its mesh's `mesh_score()`; negative if it was not meshed.
   std::vector<double> mesh_scores;
   /// Why candidates with better maps were passed over.
   std::vector<std::string> rejected;

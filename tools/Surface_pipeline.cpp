@@ -6,8 +6,8 @@
 #include "field_maps.h"
 #include "folded_map.h"
 #include "labelled_quads.h"
+#include "mesh_score.h"
 
-#include <Quadrille/Surface_tangent_traits.h>
 #include <Quadrille/frame_field_topology.h>
 #include <Quadrille/odeco_surface_field.h>
 #include <Quadrille/quad_extraction.h>
@@ -26,12 +26,6 @@ namespace {
 
 using Mesh = Surface_domain::Mesh;
 using Point_2 = Planar_domain::Point_2;
-
-auto tangent_traits(const Surface_domain& domain)
-{
-  return Surface_tangent_traits<Mesh, Mesh::Property_map<Surface_domain::vertex_descriptor, Surface_domain::Point_3>>(
-      domain.mesh, domain.mesh.points());
-}
 
 Seamless_map<Mesh> integrate(const Surface_domain& domain, std::vector<Gradient_pair> gradients,
                              const Seamless_parametrization_options& options, std::vector<Point_2>& corner_uv)
@@ -59,77 +53,187 @@ void find_singularities(const Surface_domain& domain, Surface_pipeline_result& r
                      ", and the Euler characteristic is " + std::to_string(euler) + "; please report this");
 }
 
-/// The field with the best map, if maps are asked for, and that map.
-void compute_field_and_map(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
-                           const Surface_pipeline_options& options, Surface_pipeline_result& result)
-{
-  Start_maps<Mesh> maps(options.field.starts);
-  std::vector<double> poisson_errors(maps.candidates.size(), std::numeric_limits<double>::infinity());
-  const auto poisson_error = [&](std::size_t start, const std::vector<Gradient_pair>& gradients) {
-    Seamless_parametrization_options poisson = options.map;
+bool is_folded(const Seamless_map<Mesh>& map) { return !map.flipped_faces.empty() || !map.misturned_vertices.empty(); }
+
+/// What became of one start.
+struct Outcome {
+  double score = std::numeric_limits<double>::infinity(); ///< of its mesh, or of its map if there are to be no quads
+  std::optional<No_result_error> error;                   ///< why there is none
+  Surface_pipeline_result result;                         ///< as far as it got
+};
+
+/// The starts of a field, and the choice among them by what becomes of them.
+class Start_chooser {
+public:
+  Start_chooser(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
+                const Surface_pipeline_options& options)
+      : m_domain(domain), m_constraints(constraints), m_options(options),
+        m_gradients(2 + std::size_t(std::max(0, options.field.starts))),
+        m_poisson_errors(m_gradients.size(), std::numeric_limits<double>::infinity())
+  {
+  }
+
+  /// Of the map before it is untangled, which takes much longer and can only make the error larger. Infinite if there
+  /// is none. Called from several threads at once.
+  double poisson_error(std::size_t start, const std::vector<Gradient_pair>& gradients)
+  {
+    m_gradients[start] = gradients;
+    Seamless_parametrization_options poisson = m_options.map;
     poisson.untangle = false;
     poisson.threads = 1; // the starts themselves run in parallel
     std::vector<Point_2> corner_uv;
     try {
-      poisson_errors[start] = integrate(domain, gradients, poisson, corner_uv).integration_error;
+      m_poisson_errors[start] = integrate(m_domain, gradients, poisson, corner_uv).integration_error;
     } catch (const No_result_error&) { // stays infinite
     }
-    return poisson_errors[start];
-  };
-  const auto make_map = [&](const std::vector<Gradient_pair>& gradients, std::vector<Point_2>& corner_uv) {
-    return integrate(domain, gradients, options.map, corner_uv);
-  };
-  // Untangling takes much longer than the Poisson maps, and can only make their errors larger.
-  const Field_evaluator evaluator(poisson_error, maps.cost(make_map));
-  std::vector<Edge_frame_constraint> edge_constraints = constraints;
-  result.gradients.resize(domain.mesh.number_of_faces());
-  result.field =
-      odeco_surface_field(domain.mesh, domain.mesh.points(), vector_map(edge_constraints), vector_map(result.gradients),
-                          options.field, options.make_map ? evaluator : Field_evaluator());
-  if (std::isfinite(poisson_errors[0]))
-    result.smooth_integration_error = poisson_errors[0];
-  find_singularities(domain, result);
-  if (!options.make_map)
-    return;
-  Field_candidate<Mesh>& chosen = maps.candidates[std::size_t(result.field->chosen)];
-  result.map = chosen.map ? std::move(chosen.map) : make_map(result.gradients, chosen.corner_uv);
-  result.corner_uv = std::move(chosen.corner_uv);
-}
+    return m_poisson_errors[start];
+  }
 
-bool is_folded(const Seamless_map<Mesh>& map) { return !map.flipped_faces.empty() || !map.misturned_vertices.empty(); }
+  /// The start with the best mesh, or map if there are to be no quads, of the promising ones; of all where these have
+  /// none, the smooth one last. Starts that are not melted ones are left out if `only_melted`.
+  std::size_t choose(const std::vector<Field_start>& starts, bool only_melted)
+  {
+    std::vector<std::size_t> order = starts_by_cost(starts, m_options.same_field_energy, [&](std::size_t i) {
+      return starts[i].valid && (!only_melted || starts[i].kind == Field_start::Kind::melted);
+    });
+    std::stable_partition(order.begin(), order.end(),
+                          [&](std::size_t i) { return starts[i].kind != Field_start::Kind::smooth; });
+    m_scores.assign(starts.size(), -1);
+    std::optional<std::size_t> chosen;
+    // What is hard to untangle takes long, and is for where there is nothing better.
+    constexpr int few_rounds = 16;
+    for (const int rounds : {few_rounds, m_options.map.max_untangling_rounds}) {
+      for (const std::size_t start : order) {
+        if (m_n_valid > 0 && !is_promising(starts, start, order.front()))
+          break;
+        Outcome outcome = outcome_of(start, std::min(rounds, m_options.map.max_untangling_rounds));
+        if (!outcome.error) {
+          ++m_n_valid;
+          m_scores[start] = outcome.score;
+        }
+        if (!chosen || outcome.score < m_best.score) {
+          chosen = start;
+          m_best = std::move(outcome);
+        }
+      }
+      if (m_n_valid > 0 || rounds >= m_options.map.max_untangling_rounds)
+        break;
+    }
+    if (chosen)
+      return *chosen;
+    const auto first_valid = std::find_if(starts.begin(), starts.end(), [](const auto& start) { return start.valid; });
+    return std::size_t(first_valid - starts.begin());
+  }
 
-void compute_quads(const Surface_domain& domain, const Surface_pipeline_options& options,
-                   Surface_pipeline_result& result)
+  /// Of the chosen start.
+  Outcome take_best()
+  {
+    Outcome best = std::move(m_best);
+    best.result.mesh_scores = std::move(m_scores);
+    if (std::isfinite(m_poisson_errors[0]))
+      best.result.smooth_integration_error = m_poisson_errors[0];
+    return best;
+  }
+
+private:
+  /// Whether it pays to look at a start when there is a valid one.
+  bool is_promising(const std::vector<Field_start>& starts, std::size_t start, std::size_t cheapest) const
+  {
+    if (starts[start].kind == Field_start::Kind::smooth)
+      return false;
+    if (!m_options.make_quads)
+      return starts[start].cost < m_best.score;
+    return m_n_valid < m_options.max_meshed_starts &&
+           starts[start].cost <= m_options.meshed_cost_ratio * starts[cheapest].cost;
+  }
+
+  /// Failures score worse than everything else, by how far the start got.
+  Outcome outcome_of(std::size_t start, int untangling_rounds) const
+  {
+    Outcome outcome;
+    Surface_pipeline_result& result = outcome.result;
+    result.gradients = m_gradients[start];
+    Seamless_parametrization_options map_options = m_options.map;
+    map_options.max_untangling_rounds = untangling_rounds;
+    try {
+      result.map = integrate(m_domain, result.gradients, map_options, result.corner_uv);
+      outcome.score = cost_of_map(*result.map);
+      if (is_folded(*result.map))
+        throw No_result_error("map", reason_of_folded_map(m_domain, *result.map) +
+                                         "; try smaller triangles, or sizes nearer to those of the details there");
+      if (m_options.make_quads) {
+        outcome.score = cost_of_folded_map;
+        make_quads(result);
+        outcome.score = mesh_score(m_domain, m_constraints, m_options.field.isotropic, result.mesh,
+                                   result.extraction->irregular_vertices);
+      }
+    } catch (const No_result_error& error) {
+      outcome.error = error;
+    }
+    return outcome;
+  }
+
+  void make_quads(Surface_pipeline_result& result) const
+  {
+    result.extraction = extract_quads(m_domain.mesh, m_domain.mesh.points(), vector_map(result.corner_uv),
+                                      m_domain.chain_map(), m_domain.region_map(), result.quads, m_options.extraction,
+                                      Chosen_quantizer(m_options.quantizer, m_options.optimal));
+    result.mesh = labelled_quads(m_domain, result.quads, *result.extraction);
+  }
+
+  const Surface_domain& m_domain;
+  const std::vector<Edge_frame_constraint>& m_constraints;
+  const Surface_pipeline_options& m_options;
+  std::vector<std::vector<Gradient_pair>> m_gradients; ///< by start
+  std::vector<double> m_poisson_errors;                ///< by start
+  std::vector<double> m_scores;                        ///< by start; negative if it has none
+  Outcome m_best;
+  int m_n_valid = 0;
+};
+
+/// The best start of a field, and what became of it.
+Outcome best_of_starts(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
+                       const Surface_pipeline_options& options, bool only_melted)
 {
-  if (is_folded(*result.map))
-    throw No_result_error("map", reason_of_folded_map(domain, *result.map) +
-                                     "; try smaller triangles, or sizes nearer to those of the details there");
-  result.extraction = extract_quads(domain.mesh, domain.mesh.points(), vector_map(result.corner_uv), domain.chain_map(),
-                                    domain.region_map(), result.quads, options.extraction,
-                                    Chosen_quantizer(options.quantizer, options.optimal));
+  Start_chooser chooser(domain, constraints, options);
+  Field_evaluator evaluator;
+  if (options.make_map)
+    evaluator = {[&](std::size_t start, const std::vector<Gradient_pair>& gradients) {
+                   return chooser.poisson_error(start, gradients);
+                 },
+                 [&](const std::vector<Field_start>& starts) { return chooser.choose(starts, only_melted); }};
+  std::vector<Edge_frame_constraint> edge_constraints = constraints;
+  std::vector<Gradient_pair> gradients(domain.mesh.number_of_faces());
+  Surface_field_result field = odeco_surface_field(domain.mesh, domain.mesh.points(), vector_map(edge_constraints),
+                                                   vector_map(gradients), options.field, evaluator);
+  Outcome best = chooser.take_best();
+  best.result.gradients = std::move(gradients);
+  best.result.field = std::move(field);
+  return best;
 }
+
+/// Whether another field might do what this one did not: what contradicts itself is no matter of the field.
+bool depends_on_field(const No_result_error& error) { return error.stage() != "quantization"; }
 
 } // namespace
 
 void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
                           Surface_pipeline_options options, Surface_pipeline_result& result)
 {
+  Outcome best = best_of_starts(domain, constraints, options, false);
   const int n_attempts = options.make_map && options.field.starts > 0 ? options.max_attempts : 1;
-  for (int attempt = 1;; ++attempt) {
-    result = Surface_pipeline_result();
-    const bool is_last = attempt >= n_attempts;
-    try {
-      compute_field_and_map(domain, constraints, options, result);
-      if (options.make_map && options.make_quads)
-        compute_quads(domain, options, result);
-      if (!result.map || !is_folded(*result.map) || is_last)
-        return;
-    } catch (const No_result_error&) {
-      if (is_last)
-        throw;
-    }
+  for (int attempt = 1; attempt < n_attempts && best.error && depends_on_field(*best.error); ++attempt) {
     options.field.seed += std::uint64_t(options.field.starts);
+    Outcome outcome = best_of_starts(domain, constraints, options, true);
+    if (outcome.score < best.score) {
+      outcome.result.smooth_integration_error = best.result.smooth_integration_error;
+      best = std::move(outcome);
+    }
   }
+  result = std::move(best.result);
+  find_singularities(domain, result);
+  if (best.error && (options.make_quads || !result.map))
+    throw No_result_error(*best.error);
 }
 
 std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, const Domain_sizes& sizes,
@@ -158,84 +262,6 @@ std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, con
     return std::nullopt;
   deviation.mean /= total;
   return deviation;
-}
-
-std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_domain& domain,
-                                                                const std::vector<Gradient_pair>& gradients)
-{
-  std::array<std::vector<std::array<double, 3>>, 2> vectors;
-  const auto traits = tangent_traits(domain);
-  for (const auto f : domain.mesh.faces()) {
-    const Gradient_pair& pair = gradients[std::size_t(f.idx())];
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Eigen::Vector2d& gradient = k == 0 ? pair.first : pair.second;
-      const Eigen::Vector3d v = traits.basis(f) * gradient / gradient.squaredNorm();
-      vectors[k].push_back({v.x(), v.y(), v.z()});
-    }
-  }
-  return vectors;
-}
-
-namespace {
-
-Surface_drawing quad_drawing(const Surface_domain& domain, const Surface_pipeline_result& result)
-{
-  Surface_drawing drawing;
-  const Labelled_mesh mesh = labelled_quads(domain, result.quads, *result.extraction);
-  drawing.points = mesh.points;
-  for (const std::vector<int>& quad : mesh.polygons) {
-    drawing.triangles.push_back({quad[0], quad[1], quad[2]});
-    drawing.triangles.push_back({quad[0], quad[2], quad[3]});
-  }
-  for (const auto e : result.quads.edges())
-    drawing.mesh_edges.push_back({int(result.quads.vertex(e, 0).idx()), int(result.quads.vertex(e, 1).idx())});
-  drawing.feature_edges = mesh.lines;
-  for (const auto v : result.quads.vertices())
-    if (const int valence = int(result.quads.degree(v)); valence != 4 && !result.quads.is_border(v))
-      drawing.singular_vertices.emplace_back(int(v.idx()), valence);
-  return drawing;
-}
-
-} // namespace
-
-Surface_drawing surface_drawing(const Surface_domain& domain, const Surface_pipeline_result& result)
-{
-  if (result.extraction)
-    return quad_drawing(domain, result);
-  const Mesh& mesh = domain.mesh;
-  Surface_drawing drawing;
-  for (const auto v : mesh.vertices())
-    drawing.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
-  double steps = 0; // area in (u, v)
-  for (const auto f : mesh.faces()) {
-    drawing.triangles.emplace_back();
-    std::array<Eigen::Vector2d, 3> uv;
-    std::size_t k = 0;
-    for (const auto h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-      drawing.triangles.back()[k] = int(mesh.target(h).idx());
-      if (!result.corner_uv.empty())
-        uv[k] = {result.corner_uv[std::size_t(h.idx())].x(), result.corner_uv[std::size_t(h.idx())].y()};
-      ++k;
-    }
-    if (!result.corner_uv.empty()) {
-      const Eigen::Vector2d a = uv[1] - uv[0], b = uv[2] - uv[0];
-      steps += 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
-      drawing.uv.push_back(uv);
-    }
-  }
-  const double lines_to_see = 60; // across, of a surface seen from the front
-  drawing.isoline_spacing = std::max(1.0, std::round(std::sqrt(steps / 2) / lines_to_see));
-  for (const auto e : mesh.edges())
-    if (domain.edge_curve[std::size_t(e.idx())] >= 0)
-      drawing.feature_edges.push_back({int(mesh.vertex(e, 0).idx()), int(mesh.vertex(e, 1).idx())});
-  for (const auto& [vertex, valence] : result.singular_vertices)
-    drawing.singular_vertices.emplace_back(int(vertex.idx()), valence);
-  if (drawing.uv.empty()) {
-    const auto [u, v] = frame_vectors(domain, result.gradients);
-    for (std::size_t f = 0; f < u.size(); ++f)
-      drawing.frames.push_back({Eigen::Vector3d(u[f].data()), Eigen::Vector3d(v[f].data())});
-  }
-  return drawing;
 }
 
 } // namespace Quadrille

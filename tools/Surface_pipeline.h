@@ -5,9 +5,9 @@
 #define QUADRILLE_TOOLS_SURFACE_PIPELINE_H
 
 #include "quantizer_option.h"
-#include "surface_picture.h"
 
 #include <Quadrille/Frame_edge_constraints.h>
+#include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Optimal_quantizer.h>
 #include <Quadrille/Planar_domain.h>
@@ -19,7 +19,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -36,6 +35,9 @@ struct Surface_pipeline_options {
   Seamless_parametrization_options map;
   bool make_map = true; ///< otherwise the field with the lowest energy is taken
   bool make_quads = true;
+  int max_meshed_starts = 2;       ///< of the starts with the best maps, so many are meshed; the best mesh is kept
+  double meshed_cost_ratio = 1.5;  ///< but not those whose cost is more than this times the least
+  double same_field_energy = 1e-4; ///< relative difference of energies and costs up to which fields are the same one
   /// Fields from other melted starts, the seeds going on, if there is no valid map or no quads otherwise.
   int max_attempts = 3;
   Quad_extraction_options extraction;
@@ -59,12 +61,20 @@ struct Surface_pipeline_result {
   std::optional<Log_deviation> size_error;       ///< see `measure_map_sizes()`
   std::optional<Quad_extraction_result> extraction;
   Mesh quads;
+  Labelled_mesh mesh; ///< the quads with the names of curves and surfaces
+
+  /// Per start, in the order of `field->starts`: its mesh's `mesh_score()`, or the cost of its map if there are to be
+  /// no quads; negative if it has none.
+  std::vector<double> mesh_scores;
 };
 
-/// Field, map and quads of a surface with the sizes of `constraints` (per edge). The field's starts are judged by the
-/// integration errors of their untangled maps, of which no more are made than it takes to find the least. `result` is
-/// filled as far as the (last) attempt gets, also when it throws. \throws No_result_error if the indices of the chosen
-/// field do not add up to the Euler characteristic, and as the stages do.
+/// Field, map and quads of a surface with the sizes of `constraints` (per edge).
+///
+/// The field's starts are judged by the integration errors of their maps before they are untangled; the best few are
+/// meshed, and the mesh with the least `mesh_score()` is kept. Without quads the map with the least error is. A start
+/// whose map or mesh is not valid is passed over. `result` is filled as far as the best start gets, also when it
+/// throws. \throws No_result_error of that start if none led to a valid mesh, if the indices of the chosen field do not
+/// add up to the Euler characteristic, and as the stages do.
 void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_frame_constraint>& constraints,
                           Surface_pipeline_options options, Surface_pipeline_result& result);
 
@@ -72,13 +82,6 @@ void run_surface_pipeline(const Surface_domain& domain, const std::vector<Edge_f
 /// length in (u, v). Nothing where none is.
 std::optional<Log_deviation> measure_map_sizes(const Surface_domain& domain, const Domain_sizes& sizes,
                                                const std::vector<Planar_domain::Point_2>& corner_uv);
-
-/// Per face a vector of the frame in space: the gradient over its squared length.
-std::array<std::vector<std::array<double, 3>>, 2> frame_vectors(const Surface_domain& domain,
-                                                                const std::vector<Gradient_pair>& gradients);
-
-/// What there is to see of a run, as far as it got: the frames, the isolines of the map, or the quads.
-Surface_drawing surface_drawing(const Surface_domain& domain, const Surface_pipeline_result& result);
 
 } // namespace Quadrille
 

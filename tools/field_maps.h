@@ -6,6 +6,8 @@
 
 #include <Quadrille/Frame_edge_constraints.h>
 #include <Quadrille/Planar_domain.h>
+#include <Quadrille/Surface_domain.h>
+#include <Quadrille/Surface_tangent_traits.h>
 #include <Quadrille/exceptions.h>
 #include <Quadrille/seamless_parametrization.h>
 
@@ -33,11 +35,21 @@ template <class Domain> struct Is_on_curve {
   friend bool get(const Is_on_curve& map, const key_type& e) { return map.domain->edge_curve[e.idx()] >= 0; }
 };
 
+inline auto tangent_traits(const Surface_domain& domain)
+{
+  using Mesh = Surface_domain::Mesh;
+  return Surface_tangent_traits<Mesh, Mesh::Property_map<Surface_domain::vertex_descriptor, Surface_domain::Point_3>>(
+      domain.mesh, domain.mesh.points());
+}
+
+/// Of maps that are folded; more than that of any other.
+constexpr double cost_of_folded_map = 1e3;
+
 /// A candidate without a locally injective map is worse than every other, by how much of it is folded.
 template <class Mesh> double cost_of_map(const Seamless_map<Mesh>& map)
 {
   const std::size_t n_folded = std::size_t(map.flipped) + map.misturned_vertices.size();
-  return n_folded == 0 ? map.integration_error : Field_evaluator::useless + double(n_folded);
+  return n_folded == 0 ? map.integration_error : cost_of_folded_map + double(n_folded);
 }
 
 /// What a start made: its field, and the map of that unless there is none.

@@ -208,7 +208,7 @@ void add_stages(const Surface_pipeline_result& result, Field_solver_kind solver,
   if (result.field) {
     const Surface_field_result& field = *result.field;
     Json& json = summary["field"];
-    add_starts(field, solver, {}, json);
+    add_starts(field, solver, result.mesh_scores, json);
     json["triangles"] = result.gradients.size();
     json["iterations"] = field.iterations;
     json["energy"] = field.energy;

@@ -6,9 +6,11 @@
 
 #include <Quadrille/Curve_locator.h>
 #include <Quadrille/Labelled_mesh.h>
+#include <Quadrille/Mesh_quality.h>
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Quad_extraction_options.h>
 #include <Quadrille/Surface_domain.h>
+#include <Quadrille/exceptions.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -24,7 +26,8 @@ inline std::array<double, 3> coordinates(const Surface_domain&, const Surface_do
   return {p.x(), p.y(), p.z()};
 }
 
-/// The quads of a domain with the names of its curves and regions.
+/// The quads of a domain with the names of its curves and regions, checked once more as the mesh that they are.
+/// \throws No_result_error("mesh", ...) if they are not valid
 /// \tparam Domain `Planar_domain` or `Surface_domain`
 template <class Domain>
 Labelled_mesh labelled_quads(const Domain& domain, const typename Domain::Mesh& quads,
@@ -51,6 +54,9 @@ Labelled_mesh labelled_quads(const Domain& domain, const typename Domain::Mesh& 
     mesh.curves.push_back(curve);
   mesh.regions = domain.regions;
   mesh.groups = domain.groups;
+  const Mesh_validity validity = check_quad_mesh(mesh);
+  if (!validity.is_valid())
+    throw No_result_error("mesh", validity.problems[0]);
   return mesh;
 }
 

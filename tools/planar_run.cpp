@@ -7,7 +7,6 @@
 #include "Quad_run.h"
 #include "domain_constraints.h"
 #include "json_summary.h"
-#include "labelled_quads.h"
 #include "picture_file.h"
 #include "pipeline_output.h"
 #include "svg_picture.h"
@@ -125,19 +124,15 @@ private:
     options.observer = &m_console.observer();
     run_quad_pipeline(m_domain, constraints_of(m_domain, m_sizes), options, m_result);
     const auto start = std::chrono::steady_clock::now();
-    m_mesh = labelled_quads(m_domain, m_result.quads, *m_result.extraction);
-    const Mesh_validity validity = check_quad_mesh(m_mesh);
-    if (!validity.is_valid())
-      throw No_result_error("mesh", validity.problems[0]);
     scale_sizes(m_sizes, 1 / m_result.extraction->scale);
-    m_mesh_summary = summarize(m_mesh, m_domain, m_sizes);
+    m_mesh_summary = summarize(m_result.mesh, m_domain, m_sizes);
     m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   void write() override
   {
     for (const std::string& output : m_arguments.outputs)
-      write_mesh(output, m_mesh);
+      write_mesh(output, m_result.mesh);
     const Planar_domain& domain = m_result.refined_domain ? *m_result.refined_domain : m_domain;
     if (!m_arguments.field.empty()) {
       const Frames frames = frames_of(domain, m_result);
@@ -196,7 +191,6 @@ private:
   std::vector<Curve_count> m_counts;
   Size_field m_size_field;
   Quad_pipeline_result m_result;
-  Labelled_mesh m_mesh;
   std::optional<Mesh_summary> m_mesh_summary;
   double m_check_seconds = 0;
 };

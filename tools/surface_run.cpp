@@ -8,8 +8,8 @@
 #include "count_option.h"
 #include "domain_constraints.h"
 #include "json_summary.h"
-#include "labelled_quads.h"
 #include "picture_file.h"
+#include "surface_output.h"
 #include "surface_picture.h"
 
 #include <Quadrille/Size_specification.h>
@@ -120,12 +120,8 @@ private:
     if (!m_result.extraction)
       return;
     const auto start = std::chrono::steady_clock::now();
-    m_mesh = labelled_quads(m_domain, m_result.quads, *m_result.extraction);
-    const Mesh_validity validity = check_quad_mesh(m_mesh);
-    if (!validity.is_valid())
-      throw No_result_error("mesh", validity.problems[0]);
     scale_sizes(m_sizes, 1 / m_result.extraction->scale);
-    m_mesh_summary = summarize(m_mesh, m_domain, m_sizes);
+    m_mesh_summary = summarize(m_result.mesh, m_domain, m_sizes);
     m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -145,7 +141,7 @@ private:
   void write() override
   {
     for (const std::string& output : m_arguments.outputs)
-      write_mesh(output, m_mesh);
+      write_mesh(output, m_result.mesh);
     write_field_and_picture();
     if (!m_arguments.map.empty())
       write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
@@ -217,7 +213,6 @@ private:
   std::vector<char> m_is_weak; ///< edges
   std::vector<Curve_count> m_counts;
   Surface_pipeline_result m_result;
-  Labelled_mesh m_mesh;
   std::optional<Mesh_summary> m_mesh_summary;
   double m_check_seconds = 0;
 };

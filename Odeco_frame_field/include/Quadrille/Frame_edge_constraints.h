@@ -5,6 +5,7 @@
 #define QUADRILLE_FRAME_EDGE_CONSTRAINTS_H
 
 #include <Quadrille/Frame_size.h>
+#include <Quadrille/Odeco_field_options.h>
 #include <Quadrille/Odeco_frame_field/internal/vertex_restrictions.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
@@ -35,29 +36,25 @@ struct Edge_frame_constraint {
 /// The pair of gradients (du, dv) that a map should have on a face; sizes of elements are 1 / |du|, 1 / |dv|.
 using Gradient_pair = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 
-/// Judges candidate fields.
+/// Judges candidate fields, and chooses among them.
 struct Field_evaluator {
   /// What a candidate costs, lower is better. `start` is its place in the result's `starts`; it is given by its
   /// gradient pairs in the order of `faces(mesh)`.
   using Cost = std::function<double(std::size_t start, const std::vector<Gradient_pair>&)>;
+  /// The place of the start to take, of at least one valid one, by their costs or by what was kept of them in `Cost`.
+  using Choice = std::function<std::size_t(const std::vector<Field_start>&)>;
 
-  /// Costs from here on are those of fields that are of no use, such as ones without a valid map. Only where that is so
-  /// for all other starts is the smooth field considered.
-  static constexpr double useless = 1e3;
-
-  Cost estimate; ///< of every candidate; called from several threads at once; empty: the field's energy
-  /// Where the true cost takes long: called for one candidate after the other, by growing estimates, until no estimate
-  /// of the others is below the least cost. Never less than the estimate. Empty: the estimate is the cost.
-  Cost confirm;
+  Cost cost;     ///< of every candidate; called from several threads at once; empty: the field's energy
+  Choice choose; ///< called once. Empty: the start with the least cost, the smooth one only if no other is valid
 
   Field_evaluator() = default;
   template <
       class Function,
       class = std::enable_if_t<std::is_invocable_r_v<double, Function, std::size_t, const std::vector<Gradient_pair>&>>>
-  Field_evaluator(Function cost) : estimate(std::move(cost))
+  Field_evaluator(Function cost) : cost(std::move(cost))
   {
   }
-  Field_evaluator(Cost estimate, Cost confirm) : estimate(std::move(estimate)), confirm(std::move(confirm)) {}
+  Field_evaluator(Cost cost, Choice choose) : cost(std::move(cost)), choose(std::move(choose)) {}
 };
 
 namespace internal {

@@ -28,7 +28,8 @@ struct Melt_and_freeze_schedule {
   int coarse_triangles = 5000;
   /// On surfaces the relaxed field comes from the smooth one of a triangulation coarsened to about so many.
   int relax_triangles = 500;
-  /// Large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles, and 2 for even seeds.
+  /// Large: singularities are cheap and move. Times sqrt(n / 2500) for n > 2500 triangles, and 2 for even seeds. On
+  /// surfaces 40.
   double melt_epsilon = 20;
   double size_attraction = 1; ///< weight of the mean squared log(size / expected), while melted
   /// On surfaces, weight of the Dirichlet energy, while melted: singularities of opposite index attract each other
@@ -43,7 +44,7 @@ struct Melt_and_freeze_schedule {
   int soft_iterations = 200; ///< preconditioned L-BFGS iterations at the melting epsilon
   double freeze_ratio = 1.5; ///< between consecutive epsilons
   int freeze_steps = 5;      ///< Levenberg-Marquardt steps per epsilon
-  double final_epsilon = 3;  ///< small: singularities are sharp, and cannot move any more
+  double final_epsilon = 3;  ///< small: singularities are sharp, and cannot move any more; on surfaces 12
   int sharpen_steps = 3;     ///< Levenberg-Marquardt steps per halved epsilon, from coarse triangles to finer ones
   int final_steps = 40;      ///< at most
 };
@@ -110,7 +111,7 @@ struct Field_run_result {
   double energy = 0;               ///< E_integ of the chosen field, and the attractions to sizes
   int free_corners = 0;            ///< corners whose direction is left free
   int iterations = 0;              ///< over all starts
-  double seconds = 0;
+  double seconds = 0;              ///< without those of `Field_evaluator::choose`
 };
 
 /// The chosen field, and how it came about.

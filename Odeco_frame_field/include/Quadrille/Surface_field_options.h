@@ -29,6 +29,14 @@ struct Surface_field_weights {
 /// `solver` is Levenberg-Marquardt with melting, or `lbfgs`: the paper's own way, L-BFGS (ALGLIB) from the smooth
 /// field.
 struct Surface_field_options : Field_run_options {
+  /// Melts more, and freezes less than in the plane: with an odeco term as strong as there, fields integrate with
+  /// errors that are two to eight times larger, since singularities freeze before they are where curls vanish.
+  Surface_field_options()
+  {
+    schedule.melt_epsilon = 40;
+    schedule.final_epsilon = 12;
+  }
+
   bool isotropic = false; ///< frames with two equal sizes, exactly; `Surface_field_weights::angle` only favours them
   int starts = 4;         ///< number of melted candidates; 0, and `terms_as_in_paper`, only relax the smooth field
   Surface_field_weights weights;

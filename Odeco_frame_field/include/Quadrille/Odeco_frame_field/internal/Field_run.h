@@ -94,7 +94,7 @@ protected:
     start.cost = std::numeric_limits<double>::infinity();
     if (start.valid) {
       start.size_deviation = size_deviation(elements, frames);
-      start.cost = (m_evaluator.estimate ? m_evaluator.estimate(i, gradients_of_frames(frames)) : start.energy) +
+      start.cost = (m_evaluator.cost ? m_evaluator.cost(i, gradients_of_frames(frames)) : start.energy) +
                    m_options.size_deviation_weight * start.size_deviation;
     }
     start.seconds = watch.seconds();
@@ -104,7 +104,8 @@ protected:
   /// Fills `result` with what is the same in the plane and on surfaces. \returns the unknowns of the chosen start
   const Eigen::VectorXd& choose_start(Field_run_result& result, Gradients& gradients)
   {
-    result.chosen = m_evaluator.confirm ? best_confirmed_start() : best_start();
+    const int best = best_start(m_starts);
+    result.chosen = m_evaluator.choose ? int(m_evaluator.choose(m_starts)) : best;
     result.starts = m_starts;
     for (const Field_start& start : m_starts)
       result.iterations += start.iterations;
@@ -115,30 +116,6 @@ protected:
   }
 
 private:
-  /// Energies can have any value, so only costs of an evaluator tell what is useless.
-  int best_start() const
-  {
-    return m_evaluator.estimate ? internal::best_start(m_starts, Field_evaluator::useless)
-                                : internal::best_start(m_starts);
-  }
-
-  /// Costs grow when they are confirmed, so the best start is the first to be confirmed and still the best.
-  int best_confirmed_start()
-  {
-    std::vector<char> is_confirmed(m_starts.size(), 0);
-    for (;;) {
-      const int best = best_start();
-      const auto i = std::size_t(best);
-      if (is_confirmed[i])
-        return best;
-      is_confirmed[i] = 1;
-      const Stopwatch watch;
-      m_starts[i].cost = m_evaluator.confirm(i, gradients_of_frames(derived().face_frames(m_fields[i]))) +
-                         m_options.size_deviation_weight * m_starts[i].size_deviation;
-      m_starts[i].seconds += watch.seconds();
-    }
-  }
-
   void compute_smooth_start(const Elements& elements, const Solver& analyzed)
   {
     const Stopwatch watch;

@@ -70,13 +70,13 @@ public:
       this->compute_starts(m_mesh, m_elements, *analyzed, m_options.starts);
     else
       compute_initial_start(*analyzed);
+    m_result.seconds = stopwatch.seconds();
     const Eigen::VectorXd& x = this->choose_start(m_result, gradients);
     m_result.energy_lie = m_result.starts[std::size_t(m_result.chosen)].energy_lie;
     m_result.energy_odeco = m_result.starts[std::size_t(m_result.chosen)].energy_odeco;
     for (std::size_t v = 0; v < m_elements.number_of_nodes(); ++v)
       m_result.harmonics.push_back(
           m_position.original_harmonics(Tensor_coefficients<N>::harmonics(m_elements.coefficients(v, x))));
-    m_result.seconds = stopwatch.seconds();
     return m_result;
   }
 

@@ -72,6 +72,7 @@ public:
         m_problem, m_elements, melt_and_freeze_schedule_for(m_options.schedule, m_elements.number_of_elements()),
         m_options.solver);
     this->compute_starts(m_problem, m_elements, *analyzed, m_options.terms_as_in_paper ? 0 : m_options.starts);
+    m_result.seconds = stopwatch.seconds();
     const Eigen::VectorXd& x = this->choose_start(m_result, gradients);
     m_result.terms = analyzed->energy_terms(x);
     for (std::size_t f = 0; f < m_elements.number_of_elements(); ++f) {
@@ -79,7 +80,6 @@ public:
       const Symmetric_tensor_3 tensor(Symmetric_tensor_3::Entries(centroid_tensor(f, x).values));
       m_result.harmonics.push_back(tensor.rotated(axes).harmonics() / m_position.original_size(1));
     }
-    m_result.seconds = stopwatch.seconds();
     return m_result;
   }
 

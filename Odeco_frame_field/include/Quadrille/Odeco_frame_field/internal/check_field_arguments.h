@@ -58,13 +58,13 @@ inline void check_schedule(const Melt_and_freeze_schedule& schedule, int starts,
                                  "above 1, a noise that is not negative and a positive number of triangles");
 }
 
-/// The place of the start with the lowest cost; the smooth one only if no other is valid and costs less than `useless`.
+/// The place of the start with the lowest cost; the smooth one only if no other is valid.
 /// \throws No_result_error if none is valid
-inline int best_start(const std::vector<Field_start>& starts, double useless = std::numeric_limits<double>::infinity())
+inline int best_start(const std::vector<Field_start>& starts)
 {
   const Field_start* best = nullptr;
   const auto is_better = [&](const Field_start& start) {
-    return !best || (best->kind == Field_start::Kind::smooth && start.cost < useless) || start.cost < best->cost;
+    return !best || best->kind == Field_start::Kind::smooth || start.cost < best->cost;
   };
   for (const Field_start& start : starts)
     if (start.valid && is_better(start))
