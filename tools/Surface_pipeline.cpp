@@ -100,25 +100,26 @@ public:
                           [&](std::size_t i) { return starts[i].kind != Field_start::Kind::smooth; });
     m_scores.assign(starts.size(), -1);
     std::optional<std::size_t> chosen;
-    // What is hard to untangle takes long, and is for where there is nothing better.
-    constexpr int few_rounds = 16;
-    for (const int rounds : {few_rounds, m_options.map.max_untangling_rounds}) {
-      for (const std::size_t start : order) {
-        if (m_n_valid > 0 && !is_promising(starts, start, order.front()))
-          break;
-        Outcome outcome = outcome_of(start, std::min(rounds, m_options.map.max_untangling_rounds));
-        if (!outcome.error) {
-          ++m_n_valid;
-          m_scores[start] = outcome.score;
-        }
-        if (!chosen || outcome.score < m_best.score) {
-          chosen = start;
-          m_best = std::move(outcome);
-        }
+    const auto try_start = [&](std::size_t start, int rounds) {
+      Outcome outcome = outcome_of(start, rounds);
+      if (!outcome.error) {
+        ++m_n_valid;
+        m_scores[start] = outcome.score;
       }
-      if (m_n_valid > 0 || rounds >= m_options.map.max_untangling_rounds)
+      if (!chosen || outcome.score < m_best.score) {
+        chosen = start;
+        m_best = std::move(outcome);
+      }
+    };
+    // What is hard to untangle takes long: only what is least folded after a few rounds gets them all.
+    const int all_rounds = m_options.map.max_untangling_rounds, few_rounds = std::min(16, all_rounds);
+    for (const std::size_t start : order) {
+      if (m_n_valid > 0 && !is_promising(starts, start, order.front()))
         break;
+      try_start(start, few_rounds);
     }
+    if (chosen && m_best.error && m_best.error->stage() == "map" && few_rounds < all_rounds)
+      try_start(*chosen, all_rounds);
     if (chosen)
       return *chosen;
     const auto first_valid = std::find_if(starts.begin(), starts.end(), [](const auto& start) { return start.valid; });
