@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_REDUCED_ELEMENTS_H
 #define QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_REDUCED_ELEMENTS_H
 
+#include <Quadrille/Seamless_parametrization/internal/Map_region.h>
 #include <Quadrille/Seamless_parametrization/internal/Seamless_constraints.h>
 
 #include <Eigen/Core>
@@ -28,9 +29,13 @@ class Reduced_elements {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  explicit Reduced_elements(const Seamless_space& space) : m_n_parameters(space.number_of_parameters)
+  explicit Reduced_elements(const Seamless_space& space) : Reduced_elements(space, whole_map(space), Eigen::VectorXd()) {}
+
+  /// Of the faces of `region`, by their places in it, as functions of its parameters; the others keep their values.
+  Reduced_elements(const Seamless_space& space, const Map_region& region, const Eigen::VectorXd& values)
+      : m_n_parameters(int(region.parameters.size()))
   {
-    collect_terms(space);
+    collect_terms(space, region, values);
     build_pattern();
   }
 
@@ -43,7 +48,7 @@ public:
   {
     Corner_vector x;
     for (std::size_t r = 0; r < 6; ++r) {
-      double sum = 0.0;
+      double sum = m_constants[6 * f + r];
       for (std::size_t t = m_first_term[6 * f + r]; t < m_first_term[6 * f + r + 1]; ++t)
         sum += m_terms[t].coefficient * y[m_terms[t].parameter];
       x[Eigen::Index(r)] = sum;
@@ -77,14 +82,24 @@ private:
     double coefficient;
   };
 
-  void collect_terms(const Seamless_space& space)
+  void collect_terms(const Seamless_space& space, const Map_region& region, const Eigen::VectorXd& values)
   {
+    std::vector<int> place(std::size_t(space.number_of_parameters), -1);
+    for (std::size_t i = 0; i < region.parameters.size(); ++i)
+      place[std::size_t(region.parameters[i])] = int(i);
     m_first_term.push_back(0);
-    for (const int copy : space.copy_of_corner)
-      for (int c = 0; c < 2; ++c) {
-        const int row = int((m_first_term.size() - 1) % 6);
-        for (const Seamless_space::Entry* e = space.begin(2 * copy + c); e != space.end(2 * copy + c); ++e)
-          m_terms.push_back({row, e->parameter, double(e->coefficient) / double(space.denominator)});
+    for (const int f : region.faces)
+      for (int r = 0; r < 6; ++r) {
+        const int row = 2 * space.copy_of_corner[std::size_t(3 * f + r / 2)] + r % 2;
+        double constant = 0.0;
+        for (const Seamless_space::Entry* e = space.begin(row); e != space.end(row); ++e) {
+          const double coefficient = double(e->coefficient) / double(space.denominator);
+          if (const int parameter = place[std::size_t(e->parameter)]; parameter >= 0)
+            m_terms.push_back({r, parameter, coefficient});
+          else
+            constant += coefficient * values[e->parameter];
+        }
+        m_constants.push_back(constant);
         m_first_term.push_back(m_terms.size());
       }
   }
@@ -138,6 +153,7 @@ private:
 
   int m_n_parameters;
   std::vector<Term> m_terms;
+  std::vector<double> m_constants;        ///< by 6 face + row
   std::vector<std::size_t> m_first_term;  ///< by 6 face + row, and the end
   std::vector<std::size_t> m_first_place; ///< by face, and the end
   std::vector<int> m_places;              ///< in the order of `visit_pairs`

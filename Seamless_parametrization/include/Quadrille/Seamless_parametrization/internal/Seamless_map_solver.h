@@ -7,13 +7,14 @@
 #include <Quadrille/Cholesky_solver.h>
 #include <Quadrille/Seamless_parametrization/internal/Cut_graph.h>
 #include <Quadrille/Seamless_parametrization/internal/Frame_topology.h>
+#include <Quadrille/Seamless_parametrization/internal/Map_untangler.h>
 #include <Quadrille/Seamless_parametrization/internal/Reduced_elements.h>
+#include <Quadrille/Seamless_parametrization/internal/Seamless_map_data.h>
 #include <Quadrille/Seamless_parametrization/internal/Seamless_constraints.h>
 #include <Quadrille/Seamless_parametrization/internal/Tangent_geometry.h>
 #include <Quadrille/Seamless_parametrization/internal/exact_map.h>
 #include <Quadrille/Seamless_parametrization/internal/move_singularities.h>
 #include <Quadrille/Seamless_parametrization/internal/repair_quadrants.h>
-#include <Quadrille/Seamless_parametrization/internal/untangle_map.h>
 #include <Quadrille/Seamless_parametrization_options.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 #include <Quadrille/exceptions.h>
@@ -28,25 +29,6 @@
 
 namespace Quadrille {
 namespace internal {
-
-/// A seamless map and all that was found on the way.
-struct Seamless_map_data {
-  std::vector<Eigen::Vector2d> uv; ///< by corner, in the combed coordinates of its face
-  std::vector<int> matching;       ///< by halfedge, combed: (u,v) of the other side = R^k (u,v) + T
-  Frame_topology topology;         ///< matchings and alignments of the given frames, before combing
-  Cut_graph cut;
-  std::vector<int> flipped_faces;
-  std::vector<int> flat_faces;         ///< of the flipped ones: all corners on one line because of the constraints
-  std::vector<int> misturned_vertices; ///< only looked for when nothing is flipped
-  int reversed_edges = 0;              ///< constrained halfedges that run backwards
-  int flipped_before_untangling = 0;
-  int untangling_rounds = 0;
-  int moved_singularities = 0;
-  double integration_residual = 0.0;
-  double integration_error = 0.0;
-  double seam_residual_max = 0.0;
-  double seconds = 0.0;
-};
 
 /// Computes seamless maps of one surface for any number of frame fields. Constant: several threads may share one.
 /// `Solver` is a model of `SparseCholeskySolver`.
@@ -165,45 +147,12 @@ private:
                     bool stop_misturned, const Seamless_space& space, Reduced_elements& elements, Solver& solver,
                     Eigen::VectorXd& y, Seamless_map_data& map) const
   {
-    std::vector<double> weights; // the triangles' areas in the parameter plane, relative to all
-    double total = 0.0;
-    for (std::size_t f = 0; f < combed.size(); ++f) {
-      weights.push_back(m_geometry.area(int(f)) * cross(combed[f].first, combed[f].second));
-      total += weights.back();
-    }
-    std::vector<double> even_weights; // the same for all triangles that are smaller than the mean
-    for (std::size_t f = 0; f < combed.size(); ++f) {
-      weights[f] /= total;
-      even_weights.push_back(std::max(weights[f], 1.0 / double(weights.size())) /
-                             cross(combed[f].first, combed[f].second));
-    }
-    for (const int f : map.flat_faces)
-      weights[std::size_t(f)] = 0.0;
+    Map_untangler<Solver> untangler(m_mesh, m_geometry, space, combed, options, stop_misturned, map);
+    if (untangler.untangle_locally(y))
+      return;
     // Where sizes differ much, small triangles fold because larger ones outweigh them.
-    const Eigen::VectorXd even_start = integrate(combed, elements, solver, even_weights);
-    const std::vector<Untangling_start> starts{{even_start, 0.1, 8}, {even_start, 1.0, 12}, {y, 0.1, 8}, {y, 1.0, 12}};
-
-    const std::vector<Aligned_halfedge> aligned = aligned_halfedges(map.topology, map.cut);
-    Untangling_problem problem(m_geometry, combed, aligned, std::move(weights), elements, options.threads);
-    const auto count_invalid = [&](const Eigen::VectorXd& candidate) {
-      std::vector<Eigen::Vector2d> uv = round_to_exact_map(space, candidate);
-      std::vector<int> flipped = flipped_faces(uv);
-      const int reversed = number_of_reversed(aligned, uv);
-      std::vector<int> misturned;
-      if (flipped.empty() && reversed == 0)
-        misturned = misturned_vertices(m_mesh, map.topology, uv);
-      const std::size_t n_invalid = flipped.size() + std::size_t(reversed) + misturned.size();
-      if ((stop_misturned && !misturned.empty()) ||
-          n_invalid <= map.flipped_faces.size() + std::size_t(map.reversed_edges) + map.misturned_vertices.size()) {
-        map.uv = std::move(uv);
-        map.flipped_faces = std::move(flipped);
-        map.reversed_edges = reversed;
-        map.misturned_vertices = std::move(misturned);
-      }
-      return int(n_invalid) - int(map.flat_faces.size());
-    };
-    map.untangling_rounds +=
-        untangle(problem, y, starts, options.max_untangling_rounds, stop_misturned, solver, count_invalid);
+    const Eigen::VectorXd even_start = integrate(combed, elements, solver, untangler.even_weights());
+    untangler.untangle_everywhere(elements, solver, {even_start, y});
   }
 
   void verify(Seamless_map_data& map) const

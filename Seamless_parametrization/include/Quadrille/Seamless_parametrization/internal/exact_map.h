@@ -145,15 +145,18 @@ inline std::vector<Aligned_halfedge> aligned_halfedges(const Frame_topology& top
   return result;
 }
 
-/// How many of them run backwards, or have no length in uv. Triangles around their ends can be positively oriented
+/// Whether it runs backwards, or has no length in uv. Triangles around its ends can be positively oriented
 /// nevertheless, but then turn around them by two quadrants more or less than they should.
+inline bool is_reversed(const Aligned_halfedge& edge, const std::vector<Eigen::Vector2d>& uv)
+{
+  const std::size_t source = std::size_t(edge.halfedge);
+  const std::size_t target = std::size_t(Indexed_triangulation::next(edge.halfedge));
+  return !(edge.sign * (uv[target][edge.coordinate] - uv[source][edge.coordinate]) > 0.0);
+}
+
 inline int number_of_reversed(const std::vector<Aligned_halfedge>& aligned, const std::vector<Eigen::Vector2d>& uv)
 {
-  return int(std::count_if(aligned.begin(), aligned.end(), [&](const Aligned_halfedge& edge) {
-    const std::size_t source = std::size_t(edge.halfedge);
-    const std::size_t target = std::size_t(Indexed_triangulation::next(edge.halfedge));
-    return !(edge.sign * (uv[target][edge.coordinate] - uv[source][edge.coordinate]) > 0.0);
-  }));
+  return int(std::count_if(aligned.begin(), aligned.end(), [&](const auto& edge) { return is_reversed(edge, uv); }));
 }
 
 /// By vertex: the quadrants by which the map, without flipped faces, turns around it.

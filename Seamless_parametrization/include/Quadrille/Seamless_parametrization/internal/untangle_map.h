@@ -35,28 +35,34 @@ namespace internal {
 ///   tau (rho^2 + 1) / chi(rho).
 class Untangling_problem {
 public:
-  /// `targets`: by face, the wanted gradients in combed coordinates. Faces of zero `weight` are ignored.
+  /// `targets`: by face, the wanted gradients in combed coordinates; `weights`: by face, those of zero weight are
+  /// ignored. `elements`: of `faces`, in their order.
   Untangling_problem(const Tangent_geometry& geometry, const std::vector<Gradient_pair>& targets,
-                     const std::vector<Aligned_halfedge>& aligned, std::vector<double> weights,
-                     Reduced_elements& elements, int threads)
-      : m_elements(elements), m_weights(std::move(weights)), m_threads(threads)
+                     const std::vector<Aligned_halfedge>& aligned, const std::vector<double>& weights,
+                     const std::vector<int>& faces, Reduced_elements& elements, int threads)
+      : m_elements(elements), m_threads(threads)
   {
-    for (const double weight : m_weights)
-      m_barriers.push_back(weight > 0.0 ? barrier_weight * std::max(weight, 1.0 / double(m_weights.size())) : 0.0);
+    const double mean_weight = 1.0 / double(weights.size());
+    std::vector<int> place(targets.size(), -1);
+    for (const int f : faces) {
+      place[std::size_t(f)] = int(m_weights.size());
+      m_weights.push_back(weights[std::size_t(f)]);
+      m_barriers.push_back(m_weights.back() > 0.0 ? barrier_weight * std::max(m_weights.back(), mean_weight) : 0.0);
+      Eigen::Matrix2d target;
+      target << targets[std::size_t(f)].first.transpose(), targets[std::size_t(f)].second.transpose();
+      const Eigen::Matrix2d inverse = target.inverse();
+      for (int i = 0; i < 3; ++i)
+        m_gradients.push_back(inverse.transpose() * geometry.hat_gradient(3 * f + i));
+    }
     for (const Aligned_halfedge& edge : aligned) {
+      const int face = place[std::size_t(edge.halfedge / 3)];
+      if (face < 0 || !(m_weights[std::size_t(face)] > 0.0))
+        continue;
       const Gradient_pair& target = targets[std::size_t(edge.halfedge / 3)];
       const double length =
           geometry.edge(edge.halfedge).norm() * (edge.coordinate == 0 ? target.first : target.second).norm();
-      if (m_weights[std::size_t(edge.halfedge / 3)] > 0.0)
-        m_edges.push_back({std::size_t(edge.halfedge / 3), 2 * (edge.halfedge % 3) + edge.coordinate,
-                           2 * (Indexed_triangulation::next(edge.halfedge) % 3) + edge.coordinate, edge.sign / length});
-    }
-    for (std::size_t f = 0; f < targets.size(); ++f) {
-      Eigen::Matrix2d target;
-      target << targets[f].first.transpose(), targets[f].second.transpose();
-      const Eigen::Matrix2d inverse = target.inverse();
-      for (int i = 0; i < 3; ++i)
-        m_gradients.push_back(inverse.transpose() * geometry.hat_gradient(3 * int(f) + i));
+      m_edges.push_back({std::size_t(face), 2 * (edge.halfedge % 3) + edge.coordinate,
+                         2 * (Indexed_triangulation::next(edge.halfedge) % 3) + edge.coordinate, edge.sign / length});
     }
   }
 
