@@ -132,10 +132,13 @@ TEST_F(Surfaces, triangles_between_curves_get_vertices_of_their_own)
 
 TEST_F(Surfaces, sharp_corners_are_not_halved)
 {
-  // A corner of 20 degrees, and a triangle beyond it that is bent upwards: all of the border is curve.
-  const Surface_domain needle =
-      read("needle.off", off_text({{0, 0, 0}, {1, 0, 0}, {0.94, 0.342, 0}, {2, 0.3, 0.5}}, {{0, 1, 2}, {1, 3, 2}}));
-  EXPECT_EQ(needle.mesh.number_of_faces(), 2u);
+  // A corner of 20 degrees, and beyond it a triangle that is bent upwards: all of the border is curve.
+  const std::string points = "0 0 0\n1 0 0\n0.94 0.342 0\n2 0.3 0.5\n1.31 0.21 0.17\n";
+  const Surface_domain needle = read("needle.off", "OFF\n5 4 0\n" + points + "3 0 1 2\n3 1 3 4\n3 3 2 4\n3 2 1 4\n");
+  EXPECT_EQ(needle.mesh.number_of_faces(), 4u);
+  // Without the vertex inside there would be no free one, and this is no quadrilateral by its angles.
+  const Surface_domain rigid = read("rigid.off", "OFF\n5 2 0\n" + points + "3 0 1 2\n3 1 3 2\n");
+  EXPECT_EQ(rigid.mesh.number_of_faces(), 4u);
 }
 
 TEST_F(Surfaces, marked_lines_are_the_features)

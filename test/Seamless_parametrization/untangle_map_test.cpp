@@ -24,8 +24,8 @@ TEST(Untangling, gradient_agrees_with_finite_differences)
   const std::vector<double> weights(mesh.triangles.size(), 0.1);
   const std::vector<internal::Aligned_halfedge> aligned = internal::aligned_halfedges(map.topology, map.cut);
   ASSERT_FALSE(aligned.empty());
-  internal::Untangling_problem problem(geometry, frames, aligned, weights, internal::whole_map(space).faces,
-                                       elements, 1);
+  internal::Untangling_problem problem(geometry, frames, aligned, weights, internal::whole_map(space).faces, elements,
+                                       1);
   std::mt19937 generator(1);
   Eigen::VectorXd y(elements.number_of_parameters());
   for (double& value : y) // random coordinates: about half of the triangles are flipped

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -24,7 +26,8 @@ namespace internal {
 /// A map that is aligned with the curves flattens a triangle whose three corners lie on one side, a frame field cannot
 /// turn where all vertices lie on curves, and a triangle between three curve edges has too few right angles to become
 /// quads without a vertex of valence 3 inside. Chords that cut off a corner sharper than 50 degrees stay: halving such
-/// corners would make needles. Complexity: O(n log n).
+/// corners would make needles. But a patch between curves that has no free vertex otherwise, and is no quadrilateral by
+/// its angles, gets one on its longest chord in any case. Complexity: O(n log n).
 class Chord_splitter_in_space {
 public:
   using Mesh = Surface_domain::Mesh;
@@ -50,10 +53,12 @@ public:
     const std::size_t n_before = m_mesh.number_of_vertices();
     const std::vector<Face> closed = closed_triangles();
     const std::vector<Edge> chords = sorted_chords();
+    const std::vector<Edge> last_resorts = chords_of_rigid_patches(chords);
     for (const Face f : closed)
       split_face(f);
-    for (const Edge e : chords)
-      split_edge(m_mesh.halfedge(e));
+    for (const std::vector<Edge>* edges : {&chords, &last_resorts})
+      for (const Edge e : *edges)
+        split_edge(m_mesh.halfedge(e));
     m_domain.edge_curve.resize(m_mesh.number_of_edges(), -1);
     m_domain.edge_chain.resize(m_mesh.number_of_edges(), -1);
     return int(m_mesh.number_of_vertices() - n_before);
@@ -79,23 +84,73 @@ private:
     return result;
   }
 
+  bool is_on_curve(Vertex v) const { return m_is_on_curve[std::size_t(v.idx())] != 0; }
+
   bool is_chord(Edge e) const
   {
-    const auto is_end = [&](unsigned end) { return m_is_on_curve[std::size_t(m_mesh.vertex(e, end).idx())] != 0; };
     const Halfedge h = m_mesh.halfedge(e);
-    return !is_on_curve(e) && is_end(0) && is_end(1) && !cuts_off_sharp_corner(h) &&
-           !cuts_off_sharp_corner(m_mesh.opposite(h));
+    return !is_on_curve(e) && is_on_curve(m_mesh.vertex(e, 0)) && is_on_curve(m_mesh.vertex(e, 1)) &&
+           !cuts_off_sharp_corner(h) && !cuts_off_sharp_corner(m_mesh.opposite(h));
+  }
+
+  /// The longest inner edges of the patches that neither have a free vertex, also not with `chords` split, nor four
+  /// corners.
+  std::vector<Edge> chords_of_rigid_patches(const std::vector<Edge>& chords) const
+  {
+    const std::set<Edge> split(chords.begin(), chords.end());
+    std::vector<Edge> result;
+    std::vector<char> is_visited(m_mesh.number_of_faces(), 0);
+    for (const Face first : m_mesh.faces()) {
+      if (is_visited[std::size_t(first.idx())])
+        continue;
+      std::vector<Face> patch{first};
+      is_visited[std::size_t(first.idx())] = 1;
+      bool has_free_vertex = false;
+      std::map<Vertex, double> angles;
+      Edge longest;
+      for (std::size_t i = 0; i < patch.size(); ++i)
+        for (const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(patch[i]))) {
+          angles[m_mesh.target(h)] += angle(h);
+          has_free_vertex = has_free_vertex || !is_on_curve(m_mesh.target(h)) || split.count(m_mesh.edge(h)) > 0;
+          if (is_on_curve(h))
+            continue;
+          if (!longest.is_valid() || squared_length(m_mesh.edge(h)) > squared_length(longest))
+            longest = m_mesh.edge(h);
+          const Face beyond = m_mesh.face(m_mesh.opposite(h));
+          if (!is_visited[std::size_t(beyond.idx())]) {
+            is_visited[std::size_t(beyond.idx())] = 1;
+            patch.push_back(beyond);
+          }
+        }
+      if (has_free_vertex || !longest.is_valid())
+        continue;
+      long turn = 0; // in quarters
+      for (const auto& [v, a] : angles)
+        turn += 2 - std::max(1L, std::lround(a / (0.5 * CGAL_PI)));
+      if (turn != 4)
+        result.push_back(longest);
+    }
+    return result;
+  }
+
+  /// Of the corner at the target.
+  double angle(Halfedge h) const
+  {
+    const auto u = source(h) - target(h), v = target(m_mesh.next(h)) - target(h);
+    return std::atan2(length(CGAL::cross_product(u / length(u), v / length(v))), (u / length(u)) * (v / length(v)));
+  }
+
+  double squared_length(Edge e) const
+  {
+    return CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
   }
 
   bool cuts_off_sharp_corner(Halfedge h) const
   {
     if (!is_on_curve(m_mesh.next(h)) || !is_on_curve(m_mesh.prev(h)))
       return false;
-    const Point_3& corner = target(m_mesh.next(h));
-    const auto u = source(h) - corner, v = target(h) - corner;
-    const auto cross = CGAL::cross_product(u / length(u), v / length(v));
     constexpr double sharp_degrees = 50;
-    return std::atan2(length(cross), (u / length(u)) * (v / length(v))) < sharp_degrees * CGAL_PI / 180;
+    return angle(m_mesh.next(h)) < sharp_degrees * CGAL_PI / 180;
   }
 
   static double length(const Surface_domain::Vector_3& v) { return std::hypot(v.x(), v.y(), v.z()); }
@@ -109,8 +164,7 @@ private:
         chords.push_back(e);
     const auto key = [&](Edge e) {
       const Point_3 middle = CGAL::midpoint(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1)));
-      return std::tuple(-CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)), m_mesh.point(m_mesh.vertex(e, 1))),
-                        middle.x(), middle.y(), middle.z());
+      return std::tuple(-squared_length(e), middle.x(), middle.y(), middle.z());
     };
     std::stable_sort(chords.begin(), chords.end(), [&](Edge a, Edge b) { return key(a) < key(b); });
     return chords;

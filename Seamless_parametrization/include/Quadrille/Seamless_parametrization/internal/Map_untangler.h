@@ -56,12 +56,12 @@ public:
   }
 
   /// From `y`, the parameters of the map so far. Returns whether there is nothing left to do.
-  bool untangle_locally(const Eigen::VectorXd& y)
+  bool untangle_around_folds(const Eigen::VectorXd& y)
   {
     Eigen::VectorXd best = y;
     for (const int rings : {3, 9, 27}) {
       const std::vector<int> seeds = folded_faces();
-      if (seeds.empty()) // something is misturned
+      if (seeds.empty() || (m_stop_misturned && is_near_branch_point(seeds)))
         return false;
       const Map_region region = map_region(m_mesh, m_space, seeds, rings);
       if (region.parameters.empty())
@@ -87,10 +87,23 @@ public:
   void untangle_everywhere(Reduced_elements& elements, Solver& solver, const std::vector<Eigen::VectorXd>& starts)
   {
     Eigen::VectorXd best;
-    run(whole_map(m_space), elements, solver, starts, [](const Eigen::VectorXd& y) { return y; }, best);
+    run(
+        whole_map(m_space), elements, solver, starts, [](const Eigen::VectorXd& y) { return y; }, best);
   }
 
 private:
+  /// Whether there is a singularity near that should perhaps be elsewhere, which only the whole map can tell.
+  bool is_near_branch_point(const std::vector<int>& faces) const
+  {
+    const std::vector<char> is_near = faces_around(m_mesh, faces, 2);
+    for (std::size_t corner = 0; corner < m_map.topology.sector_of_corner.size(); ++corner) {
+      const auto& sector = m_map.topology.sectors[std::size_t(m_map.topology.sector_of_corner[corner])];
+      if (is_near[corner / 3] && !sector.constrained && sector.quadrants > 4)
+        return true;
+    }
+    return false;
+  }
+
   /// What has to move: flipped faces that the constraints do not flatten, and those at reversed edges.
   std::vector<int> folded_faces() const
   {

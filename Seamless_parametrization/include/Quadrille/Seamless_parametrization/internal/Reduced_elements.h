@@ -29,7 +29,9 @@ class Reduced_elements {
 public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  explicit Reduced_elements(const Seamless_space& space) : Reduced_elements(space, whole_map(space), Eigen::VectorXd()) {}
+  explicit Reduced_elements(const Seamless_space& space) : Reduced_elements(space, whole_map(space), Eigen::VectorXd())
+  {
+  }
 
   /// Of the faces of `region`, by their places in it, as functions of its parameters; the others keep their values.
   Reduced_elements(const Seamless_space& space, const Map_region& region, const Eigen::VectorXd& values)

@@ -9,9 +9,11 @@
 #include <Quadrille/Seamless_parametrization/internal/Frame_topology.h>
 #include <Quadrille/Seamless_parametrization/internal/Map_untangler.h>
 #include <Quadrille/Seamless_parametrization/internal/Reduced_elements.h>
-#include <Quadrille/Seamless_parametrization/internal/Seamless_map_data.h>
 #include <Quadrille/Seamless_parametrization/internal/Seamless_constraints.h>
+#include <Quadrille/Seamless_parametrization/internal/Seamless_map_data.h>
 #include <Quadrille/Seamless_parametrization/internal/Tangent_geometry.h>
+#include <Quadrille/Seamless_parametrization/internal/conflicting_corners.h>
+#include <Quadrille/Seamless_parametrization/internal/curve_conflict.h>
 #include <Quadrille/Seamless_parametrization/internal/exact_map.h>
 #include <Quadrille/Seamless_parametrization/internal/move_singularities.h>
 #include <Quadrille/Seamless_parametrization/internal/repair_quadrants.h>
@@ -21,6 +23,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <string>
@@ -62,7 +65,7 @@ public:
 private:
   /// The map with the given topology. `stop_misturned`: see `untangle`.
   void compute(const std::vector<Gradient_pair>& gradients, const Seamless_parametrization_options& options,
-               bool stop_misturned, Seamless_map_data& map) const
+               bool untangle, bool stop_misturned, Seamless_map_data& map) const
   {
     map.cut = Cut_graph_builder(m_mesh, m_geometry, map.topology)();
     const Seamless_space space = Seamless_constraints(m_mesh, map.topology, map.cut)();
@@ -81,9 +84,14 @@ private:
     map.misturned_vertices.clear();
     if (map.flipped_faces.empty())
       map.misturned_vertices = misturned_vertices(m_mesh, map.topology, map.uv);
-    if (options.untangle &&
-        (map.flipped_faces.size() > map.flat_faces.size() || map.reversed_edges > 0 || !map.misturned_vertices.empty()))
-      untangle_map(combed, options, stop_misturned, space, elements, solver, y, map);
+    if (untangle && map.n_invalid() > map.flat_faces.size()) {
+      Map_untangler<Solver> untangler(m_mesh, m_geometry, space, combed, options, stop_misturned, map);
+      if (!untangler.untangle_around_folds(y)) {
+        // Where sizes differ much, small triangles fold because larger ones outweigh them.
+        const Eigen::VectorXd even_start = integrate(combed, elements, solver, untangler.even_weights());
+        untangler.untangle_everywhere(elements, solver, {even_start, y});
+      }
+    }
     verify(map);
     measure(combed, map);
   }
@@ -143,16 +151,62 @@ private:
     }
   }
 
-  void untangle_map(const std::vector<Gradient_pair>& combed, const Seamless_parametrization_options& options,
-                    bool stop_misturned, const Seamless_space& space, Reduced_elements& elements, Solver& solver,
-                    Eigen::VectorXd& y, Seamless_map_data& map) const
+  /// `compute()`, while singularities move to where maps have their branch points.
+  void settle(const std::vector<Gradient_pair>& gradients, const Seamless_parametrization_options& options,
+              Seamless_map_data& map) const
   {
-    Map_untangler<Solver> untangler(m_mesh, m_geometry, space, combed, options, stop_misturned, map);
-    if (untangler.untangle_locally(y))
-      return;
-    // Where sizes differ much, small triangles fold because larger ones outweigh them.
-    const Eigen::VectorXd even_start = integrate(combed, elements, solver, untangler.even_weights());
-    untangler.untangle_everywhere(elements, solver, {even_start, y});
+    constexpr int max_moves = 16; // each leaves about three quarters of the distance
+    for (int moves = 0;; ++moves) {
+      const bool may_move = options.move_singularities && moves < max_moves;
+      compute(gradients, options, true, may_move, map);
+      if (!may_move || map.n_invalid() == 0)
+        return;
+      Singularity_mover mover(m_mesh, map.topology);
+      const int n_moved = map.flipped_faces.empty() ? mover(map.misturned_vertices, turned_quadrants(m_mesh, map.uv))
+                                                    : mover.hand_to_curves(map.flipped_faces, map.uv);
+      if (n_moved == 0)
+        return;
+      map.moved_singularities += n_moved;
+    }
+  }
+
+  Curve_conflict conflict_of(const Frame_topology& topology, const std::vector<Gradient_pair>& gradients) const
+  {
+    const Cut_graph cut = Cut_graph_builder(m_mesh, m_geometry, topology)();
+    const Seamless_space space = Seamless_constraints(m_mesh, topology, cut)();
+    return find_curve_conflict(m_geometry, gradients, aligned_halfedges(topology, cut), space);
+  }
+
+  /// Gives corners other numbers of quadrants until all curves can have positive lengths, or no change helps.
+  void resolve_curve_conflicts(const std::vector<Gradient_pair>& gradients, Frame_topology& topology) const
+  {
+    constexpr std::size_t max_candidates = 24;
+    Curve_conflict conflict = conflict_of(topology, gradients);
+    for (bool is_better = true; is_better && !conflict.halfedges.empty();) {
+      is_better = false;
+      std::vector<Corner_change> candidates =
+          Conflicting_corner_finder(m_mesh, m_geometry, topology)(conflict.halfedges);
+      candidates.resize(std::min(candidates.size(), max_candidates));
+      const Frame_topology before = topology;
+      for (const Corner_change& change : candidates) {
+        if (conflict.halfedges.empty())
+          break;
+        Frame_topology changed = before;
+        if (!Quadrant_repair(m_mesh, changed).change(change.sector, change.amount))
+          continue;
+        Curve_conflict rest;
+        try {
+          rest = conflict_of(changed, gradients);
+        } catch (const No_result_error&) { // there are no seams for these matchings
+          continue;
+        }
+        if (rest.extent < 0.99 * conflict.extent) {
+          conflict = std::move(rest);
+          topology = std::move(changed);
+          is_better = true;
+        }
+      }
+    }
   }
 
   void verify(Seamless_map_data& map) const
@@ -226,20 +280,15 @@ Seamless_map_data Seamless_map_solver<Solver>::operator()(const std::vector<Grad
                                                           const Seamless_parametrization_options& options) const
 {
   const auto start = std::chrono::steady_clock::now();
-  constexpr int max_moves = 16; // each leaves about three quarters of the distance
   Seamless_map_data map;
   map.topology = topology(gradients, options);
-  for (int moves = 0;; ++moves) {
-    const bool may_move = options.untangle && options.move_singularities && moves < max_moves;
-    compute(gradients, options, may_move, map);
-    if (!may_move || (map.flipped_faces.empty() && map.misturned_vertices.empty()))
-      break;
-    Singularity_mover mover(m_mesh, map.topology);
-    const int n_moved = map.flipped_faces.empty() ? mover(map.misturned_vertices, turned_quadrants(m_mesh, map.uv))
-                                                  : mover.hand_to_curves(map.flipped_faces, map.uv);
-    if (n_moved == 0)
-      break;
-    map.moved_singularities += n_moved;
+  compute(gradients, options, false, false, map);
+  const int flipped_before_untangling = map.flipped_before_untangling;
+  if (options.untangle && map.n_invalid() > map.flat_faces.size()) {
+    if (options.repair_corners)
+      resolve_curve_conflicts(gradients, map.topology);
+    settle(gradients, options, map);
+    map.flipped_before_untangling = flipped_before_untangling;
   }
   map.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return map;

@@ -53,6 +53,16 @@ public:
     return without;
   }
 
+  /// Gives sector `s` `amount` (1 or -1) quadrants more. Returns false if its region has no partner for that.
+  bool change(int s, int amount)
+  {
+    if (!exchange(s, amount > 0 ? -1 : 1))
+      return false;
+    m_topology.repaired_vertices.push_back(sector(s).vertex);
+    update_constrained_matchings();
+    return true;
+  }
+
 private:
   static constexpr int healing_depth = 4; ///< edges within which a partner that heals too is preferred
 
