@@ -8,8 +8,10 @@ namespace Quadrille {
 
 /// Options of `seamless_parametrization`.
 struct Seamless_parametrization_options {
-  bool untangle = true;           ///< unfold flipped triangles, if there are any
-  int max_untangling_rounds = 80; ///< each is a few Levenberg-Marquardt steps with one regularisation
+  bool untangle = true; ///< unfold flipped triangles, if there are any
+  /// Each is a few Levenberg-Marquardt steps with one regularisation. Counted anew for each of the growing
+  /// neighbourhoods of what is folded, and for the whole map
+  int max_untangling_rounds = 80;
   /// Change matchings near boundary and feature vertices where the frames turn by no quadrant (which otherwise throws),
   /// or by a number that the angle of the domain contradicts (by more than 75 degrees, 108 at ends of feature lines).
   bool repair_corners = true;

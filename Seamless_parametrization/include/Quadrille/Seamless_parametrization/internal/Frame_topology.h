@@ -28,6 +28,7 @@ struct Frame_topology {
     int vertex = -1;
     int first_corner = -1;   ///< the corner that starts it, counterclockwise
     int quadrants = 0;       ///< turns of 90 degrees from its first edge to its last one, in (u, v)
+    double angle = 0.0;      ///< of the domain, in turns of 90 degrees
     int least_quadrants = 1; ///< fewer would be a mesh without elements or with elements spread too wide
     int most_quadrants = std::numeric_limits<int>::max(); ///< more would squeeze the elements
     bool constrained = false; ///< bounded by constrained edges; otherwise it is the whole ring of an interior vertex
@@ -191,20 +192,20 @@ private:
     sector.first_corner = start;
     sector.quadrants = int(std::lround(angle / quarter_turn));
     sector.constrained = constrained;
+    sector.angle = domain_angle / quarter_turn;
     if (constrained)
-      set_limits(domain_angle, sector);
+      set_limits(sector);
     m_topology.sectors.push_back(sector);
     return h;
   }
 
   /// A straight side shall not become a corner of the mesh, nor a right angle a straight side; but what a corner of 45
   /// or 135 degrees becomes is the frames' choice, and so is a step of one quadrant at the end of a feature line.
-  static void set_limits(double domain_angle, Frame_topology::Sector& sector)
+  static void set_limits(Frame_topology::Sector& sector)
   {
-    const double quadrants = domain_angle / quarter_turn;
-    const double tolerance = quadrants > 3.5 ? 1.2 : 0.84;
-    sector.least_quadrants = std::max(1, int(std::ceil(quadrants - tolerance)));
-    sector.most_quadrants = std::max(sector.least_quadrants, int(std::floor(quadrants + tolerance)));
+    const double tolerance = sector.angle > 3.5 ? 1.2 : 0.84;
+    sector.least_quadrants = std::max(1, int(std::ceil(sector.angle - tolerance)));
+    sector.most_quadrants = std::max(sector.least_quadrants, int(std::floor(sector.angle + tolerance)));
   }
 
   void check_index_sum() const

@@ -58,16 +58,20 @@ public:
   /// From `y`, the parameters of the map so far. Returns whether there is nothing left to do.
   bool untangle_around_folds(const Eigen::VectorXd& y)
   {
+    constexpr int branch_point_rings = 27;
     Eigen::VectorXd best = y;
-    for (const int rings : {3, 9, 27}) {
+    for (int rings = 3;; rings *= 3) {
       const std::vector<int> seeds = folded_faces();
-      if (seeds.empty() || (m_stop_misturned && is_near_branch_point(seeds)))
+      if (seeds.empty())
         return false;
-      const Map_region region = map_region(m_mesh, m_space, seeds, rings);
-      if (region.parameters.empty())
+      // Where the branch point belongs shows only if what is around it may move by much more than it is off.
+      if (m_stop_misturned && rings < branch_point_rings && is_near_branch_point(seeds))
         continue;
+      const Map_region region = map_region(m_mesh, m_space, seeds, rings);
       if (4 * region.faces.size() > m_combed.size())
         return false;
+      if (region.parameters.empty())
+        continue;
       Reduced_elements elements(m_space, region, best);
       Solver solver;
       solver.analyze(elements.matrix());
@@ -80,7 +84,6 @@ public:
       if (run(region, elements, solver, {start}, complete, best))
         return true;
     }
-    return false;
   }
 
   /// From one of `starts` after the other. `elements` and `solver`: of the whole map.
@@ -92,7 +95,7 @@ public:
   }
 
 private:
-  /// Whether there is a singularity near that should perhaps be elsewhere, which only the whole map can tell.
+  /// Whether there is a singularity near that should perhaps be elsewhere.
   bool is_near_branch_point(const std::vector<int>& faces) const
   {
     const std::vector<char> is_near = faces_around(m_mesh, faces, 2);

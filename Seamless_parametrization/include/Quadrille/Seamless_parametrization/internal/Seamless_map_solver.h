@@ -5,6 +5,7 @@
 #define QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_SEAMLESS_MAP_SOLVER_H
 
 #include <Quadrille/Cholesky_solver.h>
+#include <Quadrille/Seamless_parametrization/internal/Curve_conflict_resolver.h>
 #include <Quadrille/Seamless_parametrization/internal/Cut_graph.h>
 #include <Quadrille/Seamless_parametrization/internal/Frame_topology.h>
 #include <Quadrille/Seamless_parametrization/internal/Map_untangler.h>
@@ -12,8 +13,6 @@
 #include <Quadrille/Seamless_parametrization/internal/Seamless_constraints.h>
 #include <Quadrille/Seamless_parametrization/internal/Seamless_map_data.h>
 #include <Quadrille/Seamless_parametrization/internal/Tangent_geometry.h>
-#include <Quadrille/Seamless_parametrization/internal/conflicting_corners.h>
-#include <Quadrille/Seamless_parametrization/internal/curve_conflict.h>
 #include <Quadrille/Seamless_parametrization/internal/exact_map.h>
 #include <Quadrille/Seamless_parametrization/internal/move_singularities.h>
 #include <Quadrille/Seamless_parametrization/internal/repair_quadrants.h>
@@ -170,45 +169,6 @@ private:
     }
   }
 
-  Curve_conflict conflict_of(const Frame_topology& topology, const std::vector<Gradient_pair>& gradients) const
-  {
-    const Cut_graph cut = Cut_graph_builder(m_mesh, m_geometry, topology)();
-    const Seamless_space space = Seamless_constraints(m_mesh, topology, cut)();
-    return find_curve_conflict(m_geometry, gradients, aligned_halfedges(topology, cut), space);
-  }
-
-  /// Gives corners other numbers of quadrants until all curves can have positive lengths, or no change helps.
-  void resolve_curve_conflicts(const std::vector<Gradient_pair>& gradients, Frame_topology& topology) const
-  {
-    constexpr std::size_t max_candidates = 24;
-    Curve_conflict conflict = conflict_of(topology, gradients);
-    for (bool is_better = true; is_better && !conflict.halfedges.empty();) {
-      is_better = false;
-      std::vector<Corner_change> candidates =
-          Conflicting_corner_finder(m_mesh, m_geometry, topology)(conflict.halfedges);
-      candidates.resize(std::min(candidates.size(), max_candidates));
-      const Frame_topology before = topology;
-      for (const Corner_change& change : candidates) {
-        if (conflict.halfedges.empty())
-          break;
-        Frame_topology changed = before;
-        if (!Quadrant_repair(m_mesh, changed).change(change.sector, change.amount))
-          continue;
-        Curve_conflict rest;
-        try {
-          rest = conflict_of(changed, gradients);
-        } catch (const No_result_error&) { // there are no seams for these matchings
-          continue;
-        }
-        if (rest.extent < 0.99 * conflict.extent) {
-          conflict = std::move(rest);
-          topology = std::move(changed);
-          is_better = true;
-        }
-      }
-    }
-  }
-
   void verify(Seamless_map_data& map) const
   {
     map.seam_residual_max = seam_residual(m_mesh, map.cut, map.uv);
@@ -286,7 +246,7 @@ Seamless_map_data Seamless_map_solver<Solver>::operator()(const std::vector<Grad
   const int flipped_before_untangling = map.flipped_before_untangling;
   if (options.untangle && map.n_invalid() > map.flat_faces.size()) {
     if (options.repair_corners)
-      resolve_curve_conflicts(gradients, map.topology);
+      Curve_conflict_resolver<Solver>(m_mesh, m_geometry, gradients)(map.topology);
     settle(gradients, options, map);
     map.flipped_before_untangling = flipped_before_untangling;
   }

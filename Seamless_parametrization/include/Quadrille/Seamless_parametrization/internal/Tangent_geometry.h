@@ -77,6 +77,12 @@ inline Tangent_geometry planar_geometry(const Indexed_triangulation& triangulati
 /// The two gradients (du, dv) of a face, in the basis of the face.
 using Gradient_pair = std::pair<Eigen::Vector2d, Eigen::Vector2d>;
 
+/// The length of halfedge h in coordinates that have these gradients in its face.
+inline double mapped_length(const Tangent_geometry& geometry, int h, const Gradient_pair& gradients)
+{
+  return std::hypot(gradients.first.dot(geometry.edge(h)), gradients.second.dot(geometry.edge(h)));
+}
+
 /// R^k p for any integer k, R the rotation by +90 degrees. Exact.
 inline Eigen::Vector2d rotate_quarters(const Eigen::Vector2d& p, int k)
 {

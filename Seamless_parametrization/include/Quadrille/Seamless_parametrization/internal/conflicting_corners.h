@@ -5,7 +5,6 @@
 #define QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_CONFLICTING_CORNERS_H
 
 #include <Quadrille/Seamless_parametrization/internal/Frame_topology.h>
-#include <Quadrille/Seamless_parametrization/internal/Tangent_geometry.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
 #include <algorithm>
@@ -27,13 +26,12 @@ struct Corner_change {
 /// The corners whose quadrants decide over the lengths of some edges of curves.
 ///
 /// A side of a patch is a run of constrained edges up to a corner that is no straight line. All sectors along the sides
-/// with these edges are candidates, if the angle of the domain there admits another number of quadrants
-/// (`Frame_topology::Sector::least_quadrants` and `most_quadrants`).
+/// with these edges and along those next to them are candidates, if the angle of the domain there admits another number
+/// of quadrants (`Frame_topology::Sector::least_quadrants` and `most_quadrants`).
 class Conflicting_corner_finder {
 public:
-  Conflicting_corner_finder(const Indexed_triangulation& mesh, const Tangent_geometry& geometry,
-                            const Frame_topology& topology)
-      : m_mesh(mesh), m_geometry(geometry), m_topology(topology)
+  Conflicting_corner_finder(const Indexed_triangulation& mesh, const Frame_topology& topology)
+      : m_mesh(mesh), m_topology(topology)
   {
   }
 
@@ -50,7 +48,7 @@ public:
         const Frame_topology::Sector& sector = m_topology.sectors[std::size_t(s)];
         const int changed = sector.quadrants + amount;
         if (changed >= sector.least_quadrants && changed <= sector.most_quadrants)
-          changes.emplace_back(std::abs(domain_quadrants(sector) - changed), s, amount);
+          changes.emplace_back(std::abs(sector.angle - changed), s, amount);
       }
     std::sort(changes.begin(), changes.end());
     std::vector<Corner_change> result;
@@ -60,29 +58,35 @@ public:
   }
 
 private:
+  static constexpr int n_corners = 2; ///< at each end of a side: its own, and the other one of the next side
+
   const Frame_topology::Sector& sector_at(int corner) const
   {
     return m_topology.sectors[std::size_t(m_topology.sector_of_corner[std::size_t(corner)])];
   }
 
-  /// Along the side of h to its end.
+  /// Along the side of h and the next one, to its end.
   void walk_forward(int h)
   {
     const int start = h;
+    int corners_left = n_corners;
     do {
       const int corner = Indexed_triangulation::next(h);
       m_sectors.insert(m_topology.sector_of_corner[std::size_t(corner)]);
       h = sector_at(corner).first_corner;
-    } while (h != start && sector_at(h).quadrants == 2);
+      if (sector_at(h).quadrants != 2)
+        --corners_left;
+    } while (h != start && corners_left > 0);
   }
 
-  /// Along the side of h to its beginning.
+  /// Along the side of h and the one before, to its beginning.
   void walk_back(int h)
   {
     const int start = h;
+    int corners_left = n_corners;
     do {
       m_sectors.insert(m_topology.sector_of_corner[std::size_t(h)]);
-      if (sector_at(h).quadrants != 2)
+      if (sector_at(h).quadrants != 2 && --corners_left == 0)
         return;
       h = last_halfedge(h);
     } while (h != start);
@@ -97,19 +101,7 @@ private:
     return arriving;
   }
 
-  double domain_quadrants(const Frame_topology::Sector& sector) const
-  {
-    double angle = m_geometry.corner_angle(sector.first_corner);
-    int arriving = Indexed_triangulation::prev(sector.first_corner);
-    while (m_topology.alignment[std::size_t(arriving)] < 0) {
-      angle += m_geometry.corner_angle(m_mesh.opposite(arriving));
-      arriving = Indexed_triangulation::prev(m_mesh.opposite(arriving));
-    }
-    return angle / quarter_turn;
-  }
-
   const Indexed_triangulation& m_mesh;
-  const Tangent_geometry& m_geometry;
   const Frame_topology& m_topology;
   std::set<int> m_sectors;
 };

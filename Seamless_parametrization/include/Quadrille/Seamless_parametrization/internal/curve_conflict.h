@@ -4,7 +4,6 @@
 #ifndef QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_CURVE_CONFLICT_H
 #define QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_CURVE_CONFLICT_H
 
-#include <Quadrille/Cholesky_solver.h>
 #include <Quadrille/Seamless_parametrization/internal/Seamless_constraints.h>
 #include <Quadrille/Seamless_parametrization/internal/Tangent_geometry.h>
 #include <Quadrille/Seamless_parametrization/internal/exact_map.h>
@@ -37,8 +36,7 @@ public:
     int n_columns = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const int h = edges[i].halfedge;
-      const Gradient_pair& wanted = gradients[std::size_t(h / 3)];
-      const double length = std::hypot(wanted.first.dot(geometry.edge(h)), wanted.second.dot(geometry.edge(h)));
+      const double length = mapped_length(geometry, h, gradients[std::size_t(h / 3)]);
       for (const bool at_target : {false, true}) {
         const int corner = at_target ? Indexed_triangulation::next(h) : h;
         const int row = 2 * space.copy_of_corner[std::size_t(corner)] + edges[i].coordinate;
@@ -102,8 +100,9 @@ struct Curve_conflict {
 /// Finds one if there is any. Such conflicts come from the topology alone: opposite sides of patches are equally long,
 /// so that the sum of others may leave nothing for a short curve.
 /// Complexity: that of sparse Cholesky factorisations for the constrained edges alone.
-inline Curve_conflict find_curve_conflict(const Tangent_geometry& geometry, const std::vector<Gradient_pair>& gradients,
-                                          const std::vector<Aligned_halfedge>& edges, const Seamless_space& space)
+template <class Solver>
+Curve_conflict find_curve_conflict(const Tangent_geometry& geometry, const std::vector<Gradient_pair>& gradients,
+                                   const std::vector<Aligned_halfedge>& edges, const Seamless_space& space)
 {
   Curve_conflict conflict;
   Curve_length_problem problem(geometry, gradients, edges, space);
@@ -114,7 +113,7 @@ inline Curve_conflict find_curve_conflict(const Tangent_geometry& geometry, cons
   options.initial_damping = 1e-9;
   Eigen::VectorXd y = Eigen::VectorXd::Zero(problem.number_of_parameters());
   problem.linearize(y); // makes the pattern of the matrix
-  minimize_levenberg_marquardt<Curve_length_problem, Cholesky_solver>(problem, y, options);
+  minimize_levenberg_marquardt<Curve_length_problem, Solver>(problem, y, options);
   constexpr double significant = 0.1; // at least one residual is 1 if there is a conflict
   const Eigen::VectorXd residuals = problem.residuals(y);
   for (std::size_t i = 0; i < edges.size(); ++i)

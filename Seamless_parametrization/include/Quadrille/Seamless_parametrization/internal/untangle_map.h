@@ -58,9 +58,7 @@ public:
       const int face = place[std::size_t(edge.halfedge / 3)];
       if (face < 0 || !(m_weights[std::size_t(face)] > 0.0))
         continue;
-      const Gradient_pair& target = targets[std::size_t(edge.halfedge / 3)];
-      const double length =
-          geometry.edge(edge.halfedge).norm() * (edge.coordinate == 0 ? target.first : target.second).norm();
+      const double length = mapped_length(geometry, edge.halfedge, targets[std::size_t(edge.halfedge / 3)]);
       m_edges.push_back({std::size_t(face), 2 * (edge.halfedge % 3) + edge.coordinate,
                          2 * (Indexed_triangulation::next(edge.halfedge) % 3) + edge.coordinate, edge.sign / length});
     }
