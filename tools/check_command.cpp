@@ -125,6 +125,12 @@ void print_summary(Console& console, const std::string& name, const Mesh_validit
        << ", skew mean " << quality.skew_mean << " max " << quality.skew_max << " degrees";
   console.print(line.str());
   line.str("");
+  const Mesh_distortion& distortion = summary.distortion;
+  line << "edges of " << distortion.edge_length_percentile_1 << " to " << distortion.edge_length_percentile_99
+       << " (1st to 99th percentile), median " << distortion.edge_length_median << "; distortion of areas "
+       << distortion.area.mean << ", of aspects " << distortion.aspect.mean;
+  console.print(line.str());
+  line.str("");
   line << "irregular interior vertices:";
   for (const auto& [valence, n] : quality.irregular)
     line << ' ' << n << " of valence " << valence << ';';
@@ -160,7 +166,10 @@ void run_check_command(const Check_arguments& arguments)
   if (!is_compared) {
     summary = summarize(mesh);
   } else {
-    const std::variant<Planar_domain, Surface_domain> against = read_domain(arguments.against);
+    Planar_domain_options planar;
+    Surface_domain_options surface;
+    planar.repair = surface.repair = arguments.repair;
+    const std::variant<Planar_domain, Surface_domain> against = read_domain(arguments.against, planar, surface);
     if (std::holds_alternative<Planar_domain>(against) && !is_planar(mesh))
       validity.problems.push_back("z is not constant, and " + arguments.against + " is a planar domain");
     std::visit(

@@ -94,6 +94,9 @@ po::options_description quad_options()
                         "where there are some, else angle)");
   options.add_options()("crease-angle", po::value<Strings>()->value_name("DEG"),
                         "surfaces in files that mark no curves: edges that bend by more are features (default 40)");
+  options.add_options()("repair",
+                        "mesh files: close cracks, drop degenerate and repeated triangles and orient the others "
+                        "consistently first; what was done is printed");
   options.add_options()("smooth", "mesh the smooth field instead of an integrable one, for comparisons");
   options.add_options()(
       "solver", po::value<Strings>()->value_name("lm|lbfgs|lbfgs-kappa"),
@@ -149,6 +152,7 @@ po::options_description check_options()
                         "borders and areas, of surfaces also distances, features and normals; and sizes on its curves");
   options.add_options()("size", po::value<Strings>()->value_name("SIZE"),
                         "prescribed sizes, as for quadrille quad; needs --against");
+  options.add_options()("repair", "repair the mesh IN first, as for quadrille quad");
   options.add_options()("json", po::value<Strings>()->value_name("F.json"), "write the summary");
   options.add_options()("quiet", "print errors only");
   options.add_options()("help,h", "this text");
@@ -274,6 +278,7 @@ Quad_arguments quad_arguments(const Parsed_options& options)
     result.preset = known->second;
   }
   result.crease_angle = crease_angle(options);
+  result.repair = options.has("repair");
   result.smooth = options.has("smooth");
   if (options.has("quantizer")) {
     const std::string quantizer = options.one("quantizer");
@@ -326,6 +331,9 @@ Check_arguments check_arguments(const Parsed_options& options)
   result.against = options.one("against");
   result.json = options.one("json");
   result.sizes = options.all("size");
+  result.repair = options.has("repair");
+  if (result.repair && result.against.empty())
+    throw Invalid_argument_error("option --repair needs --against, whose mesh is repaired; MESH is checked as it is");
   if (!result.sizes.empty() && result.against.empty())
     throw Invalid_argument_error("option --size needs --against, the domain whose curves it names");
   result.quiet = options.has("quiet");

@@ -35,6 +35,7 @@ struct Quad_arguments {
   bool isotropic = false, anisotropic = false; ///< neither: isotropic in the plane, anisotropic on surfaces
   std::optional<Surface_field_weights> preset; ///< of surfaces; otherwise chosen by what is prescribed
   std::optional<double> crease_angle;          ///< of surfaces, in degrees
+  bool repair = false;                         ///< the mesh in `input`
   bool smooth = false;                         ///< mesh the smooth field
   Quantizer_kind quantizer = default_quantizer();
   Layout_kind layout = Quad_extraction_options().layout;
@@ -50,6 +51,7 @@ struct Quad_arguments {
 struct Check_arguments {
   std::string mesh, against, json;
   std::vector<std::string> sizes;
+  bool repair = false; ///< the mesh in `against`
   bool quiet = false;
 };
 

@@ -20,6 +20,11 @@ Json json_of_counts(const std::map<int, int>& counts)
   return json;
 }
 
+Json json_of(const Log_deviation& deviation)
+{
+  return {{"mean", deviation.mean}, {"squared_mean", deviation.squared_mean}, {"max", deviation.max}};
+}
+
 const char* name_of(Field_start::Kind kind)
 {
   switch (kind) {
@@ -133,6 +138,7 @@ Mesh_summary summarize(const Labelled_mesh& mesh)
   summary.vertices = mesh.points.size();
   summary.quads = mesh.polygons.size();
   summary.quality = measure_quality(mesh);
+  summary.distortion = measure_distortion(mesh);
   return summary;
 }
 
@@ -162,9 +168,14 @@ Json json_of(const Mesh_summary& mesh)
   json["irregular"] = json_of_counts(mesh.quality.irregular);
   json["scaled_jacobian"] = {{"min", mesh.quality.scaled_jacobian_min}, {"mean", mesh.quality.scaled_jacobian_mean}};
   json["skew_degrees"] = {{"mean", mesh.quality.skew_mean}, {"max", mesh.quality.skew_max}};
+  json["area_distortion"] = json_of(mesh.distortion.area);
+  json["aspect_distortion"] = json_of(mesh.distortion.aspect);
+  json["edge_length"] = {{"percentile_1", mesh.distortion.edge_length_percentile_1},
+                         {"median", mesh.distortion.edge_length_median},
+                         {"percentile_99", mesh.distortion.edge_length_percentile_99}};
   if (mesh.size_error) {
-    json["size_error"] = {{"mean", mesh.size_error->length.mean}, {"max", mesh.size_error->length.max}};
-    json["aspect_error"] = {{"mean", mesh.size_error->aspect.mean}, {"max", mesh.size_error->aspect.max}};
+    json["size_error"] = json_of(mesh.size_error->length);
+    json["aspect_error"] = json_of(mesh.size_error->aspect);
   }
   return json;
 }

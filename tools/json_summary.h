@@ -22,6 +22,7 @@ namespace Quadrille {
 struct Mesh_summary {
   std::size_t vertices = 0, quads = 0;
   Mesh_quality quality;
+  Mesh_distortion distortion;
   std::optional<Size_error> size_error; ///< where sizes are prescribed
 };
 

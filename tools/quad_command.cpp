@@ -43,6 +43,7 @@ std::variant<Planar_domain, Surface_domain> read(const Quad_arguments& arguments
     planar.curve_triangle_size[name] = 1.5 * size; // the field is linear in each triangle
   Surface_domain_options surface;
   surface.triangle_size = arguments.triangle_size;
+  planar.repair = surface.repair = arguments.repair;
   surface.crease_angle = arguments.crease_angle.value_or(surface.crease_angle);
   return read_domain(arguments.input, planar, surface);
 }

@@ -51,6 +51,38 @@ TEST(Mesh_quality, of_a_concave_quad_is_negative)
   EXPECT_GT(quality.skew_max, 90);
 }
 
+TEST(Mesh_distortion, of_two_rectangles)
+{
+  for (const double scale : {1.0, 1e8, 1e-8}) {
+    // 1 x 2 and 2 x 3: areas are 1/2 and 3/2 of their mean, aspects 2 and 3/2.
+    Labelled_mesh mesh = quads({{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}, {4, 0, 0}, {4, 0, 2}, {7, 0, 2}, {7, 0, 0}},
+                               {{0, 1, 2, 3}, {4, 5, 6, 7}});
+    for (std::array<double, 3>& p : mesh.points)
+      for (double& x : p)
+        x *= scale;
+    const Mesh_distortion distortion = measure_distortion(mesh);
+    EXPECT_NEAR(distortion.area.mean, 0.5 * (std::log(2.0) + std::log(1.5)), 1e-12);
+    EXPECT_NEAR(distortion.area.squared_mean, 0.5 * (std::pow(std::log(2.0), 2) + std::pow(std::log(1.5), 2)), 1e-12);
+    EXPECT_NEAR(distortion.aspect.mean, 0.5 * (std::log(2.0) + std::log(1.5)), 1e-12);
+    EXPECT_NEAR(distortion.aspect.max, std::log(2.0), 1e-12);
+    EXPECT_NEAR(distortion.edge_length_percentile_1, scale, 1e-12 * scale);
+    EXPECT_NEAR(distortion.edge_length_median, 2.0 * scale, 1e-12 * scale);
+    EXPECT_NEAR(distortion.edge_length_percentile_99, 3.0 * scale, 1e-12 * scale);
+  }
+}
+
+TEST(Mesh_distortion, counts_shared_edges_once_and_skips_what_has_no_area)
+{
+  const double nan = std::nan("");
+  const Mesh_distortion distortion =
+      measure_distortion(quads({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {nan, 0, 0}},
+                               {{0, 1, 2, 3}, {1, 4, 5, 2}, {0, 1, 0, 1}, {0, 1, 2, 6}}));
+  EXPECT_EQ(distortion.aspect.n, 2U);
+  EXPECT_EQ(distortion.area.max, 0.0);
+  EXPECT_EQ(distortion.edge_length_percentile_99, 1.0);
+  EXPECT_EQ(measure_distortion(quads({}, {})).edge_length_median, 0.0);
+}
+
 TEST(Mesh_quality, irregular_vertices)
 {
   for (const double scale : {1.0, 1e8, 1e-8}) {

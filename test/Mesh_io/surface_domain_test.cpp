@@ -191,11 +191,11 @@ TEST_F(Surfaces, inward_normals_and_equal_points_are_noted)
   const Surface_domain cube = read("inward.off", cube_text(2, 1, true));
   EXPECT_TRUE(has_note(cube, "1 of 1 closed component point inwards"));
   EXPECT_LT(enclosed_volume(cube), 0);
-  const Surface_domain cut =
-      read("cut.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 1\n0 1 0\n3 0 1 2\n3 3 4 5\n");
-  expect_sound(cut);
-  EXPECT_TRUE(has_note(cut, "2 points"));
-  EXPECT_TRUE(has_note(cut, "the surface is not connected there"));
+  const Surface_domain touching =
+      read("touching.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 1\n0 2 0\n3 0 1 2\n3 3 4 5\n");
+  expect_sound(touching);
+  EXPECT_TRUE(has_note(touching, "1 point"));
+  EXPECT_TRUE(has_note(touching, "the surface is not connected there"));
 }
 
 TEST_F(Surfaces, bad_meshes_are_refused)
@@ -212,6 +212,8 @@ TEST_F(Surfaces, bad_meshes_are_refused)
   EXPECT_NO_THROW(read("small.off", "OFF\n3 1 0\n0 0 0\n1e-30 0 0\n0 0 1e-30\n3 0 1 2\n"));
   expect_error("repeated.off", "OFF\n5 2 0\n" + p + "3 0 1 2\n3 1 2 0\n", "is repeated as triangle 1");
   expect_error("fan.off", "OFF\n5 3 0\n" + p + "3 0 1 2\n3 1 0 3\n3 0 1 4\n", "belongs to 3 triangles (0, 1, 2");
+  expect_error("cut.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 1\n0 1 0\n3 0 1 2\n3 3 4 5\n",
+               "has a crack: at the edge from (1, 0, 0) to (0, 1, 0), triangles 0 and 1");
   expect_error("bow_tie.off", "OFF\n5 2 0\n" + p + "3 0 1 2\n3 0 3 4\n", "several separate fans");
   expect_error("mixed.off", "OFF\n5 2 0\n" + p + "3 0 1 2\n3 0 1 3\n", "turning around 1 of 2 triangles");
   expect_error("moebius.off", moebius_text(12), "not orientable");

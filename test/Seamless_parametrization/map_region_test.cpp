@@ -46,6 +46,16 @@ TEST(Map_region, grows_by_rings_of_faces_that_share_a_vertex)
   }
 }
 
+TEST(Map_region, clusters_hang_together_by_vertices)
+{
+  const Planar_mesh mesh = disk_mesh(4); // the first six faces are around vertex 0
+  const Indexed_triangulation triangulation(mesh.points.size(), mesh.triangles);
+  const int last = int(mesh.triangles.size()) - 1;
+  EXPECT_EQ(internal::largest_cluster(triangulation, {}), 0U);
+  EXPECT_EQ(internal::largest_cluster(triangulation, {0, last}), 1U);
+  EXPECT_EQ(internal::largest_cluster(triangulation, {0, 1, 3, last - 1, last}), 3U);
+}
+
 TEST(Map_region, its_parameters_move_its_faces_and_no_others)
 {
   const Smooth_map smooth;

@@ -68,9 +68,23 @@ std::vector<std::array<int, 2>> border_edges(const Labelled_mesh& mesh);
 /// Deviations from a prescription, as |log(actual / prescribed)|.
 struct Log_deviation {
   double mean = 0;
+  double squared_mean = 0; ///< of their squares
   double max = 0;
   std::size_t n = 0;
 };
+
+/// How much the quads of a mesh differ from squares of one size (Couplet et al., Surface Quadrilateral Meshing from
+/// Integrable Odeco Fields, sections 5.1 and 5.3), and how long their edges are.
+struct Mesh_distortion {
+  Log_deviation area;   ///< of quads, each split along a diagonal, against their mean area
+  Log_deviation aspect; ///< longer over shorter dimension, each the mean of two opposite sides
+  double edge_length_percentile_1 = 0;
+  double edge_length_median = 0;
+  double edge_length_percentile_99 = 0;
+};
+
+/// Polygons other than quads, and quads without a finite area, are skipped. Complexity: O(n log n).
+Mesh_distortion measure_distortion(const Labelled_mesh& mesh);
 
 /// How far a mesh is from the sizes that its domain's curves prescribe.
 struct Size_error {

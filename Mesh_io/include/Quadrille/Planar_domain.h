@@ -51,6 +51,8 @@ struct Planar_domain_options {
   int max_triangles = 30000;
   /// Two border edges that deviate by more than this many degrees from a straight line meet in a corner.
   double corner_degrees = 40;
+  /// Repair mesh files first, see `repair_mesh()`; a note tells what was changed.
+  bool repair = false;
   /// Split inner edges that join two vertices of curves, except across sharp corners: no map that is aligned with the
   /// curves has room for a triangle with all corners on one side. New vertices come after those of the input.
   bool split_chords = true;

@@ -43,6 +43,8 @@ struct Surface_domain_options {
   /// But connected ones with a loose end and fewer edges than this are taken for noise. The creases of technical parts
   /// hardly ever end, and those that noise makes are short.
   int min_crease_edges = 10;
+  /// Repair mesh files first, see `repair_mesh()`; a note tells what was changed.
+  bool repair = false;
   /// Edges inside that join two vertices of curves get a vertex in their middle, and triangles between three curve
   /// edges one at their centre: frame fields need free vertices there. Edges that cut off a corner sharper than 50
   /// degrees stay.
@@ -58,8 +60,9 @@ struct Surface_domain_options {
 /// Checks `input` and turns it into a surface; `source` names it in messages.
 ///
 /// * Polygons with more than three corners are divided into triangles, points that no polygon uses are left out; both
-///   are noted, and so are vertices added between curves (`split_chords`). Nothing else is changed: points with equal
-///   coordinates stay apart (noted), and so does the orientation. Closed components whose normals point inwards are
+///   are noted, and so are vertices added between curves (`split_chords`). Nothing else is changed unless
+///   `Surface_domain_options::repair` is set: points with equal coordinates stay apart (noted), and so does the
+///   orientation. Closed components whose normals point inwards are
 ///   noted only, since cavities have such walls; no frame field depends on it.
 /// * The lines of the input, edges between two regions and the border are curves. If none of these are inside the
 ///   surface, edges sharper than `Surface_domain_options::crease_angle` are, too; a note says which were used. Those
@@ -71,7 +74,8 @@ struct Surface_domain_options {
 /// Complexity: O(n log n).
 /// \throws Invalid_input_error naming `source`, the element and the reason, if `input` is empty or not finite, has a
 /// polygon that is degenerate or cannot be divided, a triangle twice, an edge with more than two triangles or a vertex
-/// with several fans, is not oriented consistently or cannot be, or has lines that are not edges.
+/// with several fans, is not oriented consistently or cannot be, has cracks (border edges at the same place, see
+/// `repair_mesh()`), or has lines that are not edges.
 /// \throws Invalid_argument_error if an option is out of range.
 Surface_domain make_surface_domain(const Labelled_mesh& input, const std::string& source,
                                    const Surface_domain_options& options = {});

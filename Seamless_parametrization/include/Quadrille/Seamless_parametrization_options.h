@@ -9,7 +9,7 @@ namespace Quadrille {
 /// Options of `seamless_parametrization`.
 struct Seamless_parametrization_options {
   bool untangle = true; ///< unfold flipped triangles, if there are any
-  /// Each is a few Levenberg-Marquardt steps with one regularisation. Counted anew for each of the growing
+  /// Each is a few Levenberg-Marquardt steps with one regularisation. Counted anew for each of three growing
   /// neighbourhoods of what is folded, and for the whole map
   int max_untangling_rounds = 80;
   /// Change matchings near boundary and feature vertices where the frames turn by no quadrant (which otherwise throws),

@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -123,8 +125,26 @@ namespace internal {
 inline void add_deviation(Log_deviation& deviation, double ratio)
 {
   const double value = std::abs(std::log(ratio));
-  deviation.mean += (value - deviation.mean) / double(++deviation.n);
+  ++deviation.n;
+  deviation.mean += (value - deviation.mean) / double(deviation.n);
+  deviation.squared_mean += (value * value - deviation.squared_mean) / double(deviation.n);
   deviation.max = std::max(deviation.max, value);
+}
+
+inline bool is_finite(const Labelled_mesh& mesh, const std::vector<int>& polygon)
+{
+  return std::all_of(polygon.begin(), polygon.end(), [&](int v) {
+    const std::array<double, 3>& p = mesh.points[std::size_t(v)];
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  });
+}
+
+/// The length that a share of all is shorter than. Changes the order.
+inline double percentile(std::vector<double>& lengths, double share)
+{
+  const auto place = lengths.begin() + std::ptrdiff_t(share * double(lengths.size() - 1) + 0.5);
+  std::nth_element(lengths.begin(), place, lengths.end());
+  return *place;
 }
 
 template <class Point> Point point_at(const Labelled_mesh& mesh, int v)
@@ -186,6 +206,38 @@ Size_error size_error_on(const Labelled_mesh& mesh, const Triangulated_domain<Po
 }
 
 } // namespace internal
+
+QUADRILLE_INLINE Mesh_distortion measure_distortion(const Labelled_mesh& mesh)
+{
+  Mesh_distortion distortion;
+  std::vector<double> areas, lengths;
+  std::set<std::pair<int, int>> edges;
+  for (const std::vector<int>& quad : mesh.polygons) {
+    if (quad.size() != 4)
+      continue;
+    const double area = internal::area_along_diagonal(mesh, quad);
+    if (!(area > 0) || !std::isfinite(area) || !internal::is_finite(mesh, quad))
+      continue;
+    std::array<double, 4> side{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int a = quad[i], b = quad[(i + 1) % 4];
+      side[i] = internal::length_of(internal::space_point(mesh, b) - internal::space_point(mesh, a));
+      if (edges.insert(std::minmax(a, b)).second)
+        lengths.push_back(side[i]);
+    }
+    areas.push_back(area);
+    internal::add_deviation(distortion.aspect, (side[0] + side[2]) / (side[1] + side[3]));
+  }
+  if (lengths.empty())
+    return distortion;
+  const double mean_area = std::accumulate(areas.begin(), areas.end(), 0.0) / double(areas.size());
+  for (const double area : areas)
+    internal::add_deviation(distortion.area, area / mean_area);
+  distortion.edge_length_percentile_1 = internal::percentile(lengths, 0.01);
+  distortion.edge_length_median = internal::percentile(lengths, 0.5);
+  distortion.edge_length_percentile_99 = internal::percentile(lengths, 0.99);
+  return distortion;
+}
 
 QUADRILLE_INLINE Size_error measure_size_error(const Labelled_mesh& mesh, const Planar_domain& domain,
                                                const Domain_sizes& sizes)

@@ -6,6 +6,7 @@
 
 #include <Quadrille/Labelled_mesh.h>
 #include <Quadrille/Mesh_io/internal/Triangle_adjacency.h>
+#include <Quadrille/Mesh_io/internal/find_cracks.h>
 #include <Quadrille/Mesh_io/internal/format_place.h>
 #include <Quadrille/Mesh_io/internal/triangulate_polygon.h>
 #include <Quadrille/exceptions.h>
@@ -41,7 +42,11 @@ public:
   using Point_3 = Checked_surface::Kernel::Point_3;
   using Vector_3 = Checked_surface::Kernel::Vector_3;
 
-  Surface_checker(const Labelled_mesh& input, const std::string& source) : m_input(input), m_source(source) {}
+  /// `rejects_cracks`: borders at the same place are no parts that touch, but should be connected.
+  Surface_checker(const Labelled_mesh& input, const std::string& source, bool rejects_cracks)
+      : m_input(input), m_source(source), m_rejects_cracks(rejects_cracks)
+  {
+  }
 
   Checked_surface run()
   {
@@ -57,6 +62,8 @@ public:
     check_edges(adjacency);
     check_orientation(adjacency);
     check_vertices(adjacency);
+    if (m_rejects_cracks)
+      check_cracks(adjacency);
     add_notes(adjacency);
     return std::move(m_result);
   }
@@ -237,6 +244,23 @@ private:
       }
   }
 
+  void check_cracks(const Triangle_adjacency& adjacency) const
+  {
+    std::vector<std::array<double, 3>> points;
+    for (const Point_3& p : m_result.points)
+      points.push_back({p.x(), p.y(), p.z()});
+    const std::vector<Crack> cracks = Crack_finder(points, m_result.triangles)(adjacency);
+    if (cracks.empty())
+      return;
+    const Crack& crack = cracks.front();
+    fail("the surface has a crack: at the edge from " + place(crack.first[0]) + " to " + place(crack.first[1]) +
+         (m_n_divided > 0 ? ", polygons " : ", triangles ") + std::to_string(m_result.polygon[crack.triangles[0]]) +
+         " and " + std::to_string(m_result.polygon[crack.triangles[1]]) +
+         " (counting from 0) touch without having points in common" +
+         (cracks.size() > 1 ? ", and so do others at " + counted(cracks.size() - 1, "edge") : "") +
+         "; merge such points, or let them be merged by repairing the mesh (--repair)");
+  }
+
   int size_of_fan(const Triangle_adjacency& adjacency, std::size_t first, int v) const
   {
     const auto corner_of = [&](std::size_t t) {
@@ -313,6 +337,7 @@ private:
 
   const Labelled_mesh& m_input;
   const std::string& m_source;
+  bool m_rejects_cracks;
   Checked_surface m_result;
   std::size_t m_n_divided = 0;
 };

@@ -10,6 +10,7 @@
 #include <Quadrille/Mesh_io/internal/split_chords.h>
 #include <Quadrille/Planar_domain.h>
 #include <Quadrille/Support/internal/separate_compilation.h>
+#include <Quadrille/repair_mesh.h>
 
 #include <array>
 #include <string>
@@ -34,6 +35,14 @@ inline int split_chords(const Labelled_mesh& input, Checked_triangles& checked, 
 QUADRILLE_INLINE Planar_domain make_planar_domain(const Labelled_mesh& input, const std::string& source,
                                                   const Planar_domain_options& options)
 {
+  if (options.repair) {
+    Mesh_repair_report report;
+    Planar_domain_options of_repaired = options;
+    of_repaired.repair = false;
+    Planar_domain domain = make_planar_domain(repair_mesh(input, report), source, of_repaired);
+    domain.notes.insert(domain.notes.begin(), "repaired: " + report.text());
+    return domain;
+  }
   internal::Checked_triangles checked = internal::Triangle_checker(input, source).run();
   Planar_domain domain;
   domain.source = source;

@@ -12,6 +12,7 @@
 #include <Quadrille/Support/internal/separate_compilation.h>
 #include <Quadrille/Surface_domain.h>
 #include <Quadrille/exceptions.h>
+#include <Quadrille/repair_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -114,7 +115,7 @@ inline std::vector<Surface_domain::halfedge_descriptor> find_unlabelled_features
 inline Surface_domain make_surface(const Labelled_mesh& input, const std::string& source,
                                    const Surface_domain_options& options, bool has_all_features)
 {
-  Checked_surface checked = Surface_checker(input, source).run();
+  Checked_surface checked = Surface_checker(input, source, !has_all_features).run();
   Surface_domain domain;
   domain.source = source;
   domain.groups = input.groups;
@@ -140,7 +141,12 @@ QUADRILLE_INLINE Surface_domain make_surface_domain(const Labelled_mesh& input, 
                                                     const Surface_domain_options& options)
 {
   internal::check_options(options);
-  return internal::make_surface(input, source, options, false);
+  if (!options.repair)
+    return internal::make_surface(input, source, options, false);
+  Mesh_repair_report report;
+  Surface_domain domain = internal::make_surface(repair_mesh(input, report), source, options, false);
+  domain.notes.insert(domain.notes.begin(), "repaired: " + report.text());
+  return domain;
 }
 
 } // namespace Quadrille

@@ -29,6 +29,16 @@ inline Space_kernel::Vector_3 doubled_area_vector(const Labelled_mesh& mesh, con
   return sum;
 }
 
+/// The two triangles beside the diagonal from the first corner of a quad.
+inline double area_along_diagonal(const Labelled_mesh& mesh, const std::vector<int>& quad)
+{
+  const Space_kernel::Point_3 apex = space_point(mesh, quad[0]), middle = space_point(mesh, quad[2]);
+  const auto doubled_area = [&](int v) {
+    return length_of(CGAL::cross_product(middle - apex, space_point(mesh, v) - apex));
+  };
+  return 0.5 * (doubled_area(quad[1]) + doubled_area(quad[3]));
+}
+
 /// Of length 1, or zero.
 inline Space_kernel::Vector_3 direction_of(const Space_kernel::Vector_3& v)
 {

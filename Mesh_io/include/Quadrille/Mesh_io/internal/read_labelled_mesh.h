@@ -56,6 +56,13 @@ inline void check_triangle_size_of_mesh(double triangle_size, const std::string&
                                         "are taken as they are");
 }
 
+/// \throws Invalid_argument_error if a repair is asked for, although the file has no mesh
+inline void check_no_repair_of_geometry(bool repair, const std::string& path)
+{
+  if (repair)
+    throw Invalid_argument_error(path + ": only mesh files are repaired (--repair), not geometry");
+}
+
 /// A mesh file of any kind that we read, told by its extension. \throws Invalid_input_error, Invalid_argument_error
 inline Labelled_mesh read_labelled_mesh(const std::string& path, bool isolate, double time_limit_seconds)
 {

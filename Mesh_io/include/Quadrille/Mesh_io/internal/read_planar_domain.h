@@ -64,6 +64,7 @@ inline Planar_domain geometry_domain(const Geometry_triangulation& result, const
 
 inline Planar_domain read_geometry_domain(const std::string& path, const Planar_domain_options& options)
 {
+  check_no_repair_of_geometry(options.repair, path);
   const auto triangulate = [&] {
     std::optional<Gmsh_session> session(std::in_place);
     open_geometry(path, *session);

@@ -79,6 +79,7 @@ inline Geometry_content load_geometry(const std::string& path, const Surface_dom
 inline std::variant<Planar_domain, Surface_domain>
 read_geometry(const std::string& path, const Surface_domain_options& options, const Planar_domain_options* planar)
 {
+  check_no_repair_of_geometry(options.repair, path);
   constexpr int frontal_delaunay = 6, delaunay = 5, mesh_adapt = 1;
   const auto start = std::chrono::steady_clock::now();
   std::string first_failure;

@@ -5,8 +5,10 @@
 #define QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_MAP_REGION_H
 
 #include <Quadrille/Seamless_parametrization/internal/Seamless_constraints.h>
+#include <Quadrille/Seamless_parametrization/internal/Union_find.h>
 #include <Quadrille/Support/internal/Indexed_triangulation.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -46,6 +48,20 @@ inline std::vector<char> faces_around(const Indexed_triangulation& mesh, const s
         is_inside[std::size_t(h / 3)] = 1;
   }
   return is_inside;
+}
+
+/// How many of `faces` hang together by vertices, at most. Complexity: near-linear.
+inline std::size_t largest_cluster(const Indexed_triangulation& mesh, const std::vector<int>& faces)
+{
+  Signed_union_find clusters{std::size_t(mesh.number_of_vertices())};
+  for (const int f : faces)
+    for (const int h : {3 * f, 3 * f + 1})
+      clusters.unite(mesh.source(h), mesh.target(h), 1);
+  std::vector<std::size_t> n_faces(std::size_t(mesh.number_of_vertices()), 0);
+  std::size_t largest = 0;
+  for (const int f : faces)
+    largest = std::max(largest, ++n_faces[std::size_t(clusters.find(mesh.source(3 * f)).first)]);
+  return largest;
 }
 
 /// The faces up to `rings` around `seeds`, with the parameters that move nothing else. Complexity: O(rings n).

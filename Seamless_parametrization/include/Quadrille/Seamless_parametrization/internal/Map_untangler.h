@@ -55,21 +55,26 @@ public:
     return weights;
   }
 
-  /// From `y`, the parameters of the map so far. Returns whether there is nothing left to do.
-  bool untangle_around_folds(const Eigen::VectorXd& y)
+  enum class Outcome { done, folded, not_tried };
+
+  /// From `y`, the parameters of the map so far: within 3, 9 and 27 rings of faces around what is folded.
+  /// `folded`: not even the widest region was enough; `not_tried`: it would be much of the map.
+  Outcome untangle_around_folds(const Eigen::VectorXd& y)
   {
-    constexpr int branch_point_rings = 27;
+    constexpr int branch_point_rings = 9;
     Eigen::VectorXd best = y;
-    for (int rings = 3;; rings *= 3) {
+    for (const int rings : {3, 9, 27}) {
       const std::vector<int> seeds = folded_faces();
       if (seeds.empty())
-        return false;
-      // Where the branch point belongs shows only if what is around it may move by much more than it is off.
-      if (m_stop_misturned && rings < branch_point_rings && is_near_branch_point(seeds))
+        return Outcome::not_tried;
+      // Where a branch point belongs shows only if what is around it may move by much more than it is off; what is
+      // folded reaches about as far.
+      if (m_stop_misturned && is_near_branch_point(seeds) &&
+          (rings < branch_point_rings || std::size_t(rings) < largest_cluster(m_mesh, seeds)))
         continue;
       const Map_region region = map_region(m_mesh, m_space, seeds, rings);
       if (4 * region.faces.size() > m_combed.size())
-        return false;
+        return Outcome::not_tried;
       if (region.parameters.empty())
         continue;
       Reduced_elements elements(m_space, region, best);
@@ -82,8 +87,9 @@ public:
         return all;
       };
       if (run(region, elements, solver, {start}, complete, best))
-        return true;
+        return Outcome::done;
     }
+    return Outcome::folded;
   }
 
   /// From one of `starts` after the other. `elements` and `solver`: of the whole map.

@@ -62,9 +62,12 @@ public:
                                const Seamless_parametrization_options& options = {}) const;
 
 private:
-  /// The map with the given topology. `stop_misturned`: see `untangle`.
-  void compute(const std::vector<Gradient_pair>& gradients, const Seamless_parametrization_options& options,
-               bool untangle, bool stop_misturned, Seamless_map_data& map) const
+  enum class Untangling { none, around_folds, everywhere };
+
+  /// The map with the given topology. `stop_misturned`: see `untangle`. Untangling around folds goes on everywhere
+  /// where it cannot tell. Returns whether it was not everywhere, but could be.
+  bool compute(const std::vector<Gradient_pair>& gradients, const Seamless_parametrization_options& options,
+               Untangling untangling, bool stop_misturned, Seamless_map_data& map) const
   {
     map.cut = Cut_graph_builder(m_mesh, m_geometry, map.topology)();
     const Seamless_space space = Seamless_constraints(m_mesh, map.topology, map.cut)();
@@ -83,9 +86,13 @@ private:
     map.misturned_vertices.clear();
     if (map.flipped_faces.empty())
       map.misturned_vertices = misturned_vertices(m_mesh, map.topology, map.uv);
-    if (untangle && map.n_invalid() > map.flat_faces.size()) {
-      Map_untangler<Solver> untangler(m_mesh, m_geometry, space, combed, options, stop_misturned, map);
-      if (!untangler.untangle_around_folds(y)) {
+    bool can_go_on = false;
+    if (untangling != Untangling::none && map.n_invalid() > map.flat_faces.size()) {
+      using Untangler = Map_untangler<Solver>;
+      Untangler untangler(m_mesh, m_geometry, space, combed, options, stop_misturned, map);
+      const typename Untangler::Outcome outcome = untangler.untangle_around_folds(y);
+      can_go_on = untangling == Untangling::around_folds && outcome == Untangler::Outcome::folded;
+      if (!can_go_on && outcome != Untangler::Outcome::done) {
         // Where sizes differ much, small triangles fold because larger ones outweigh them.
         const Eigen::VectorXd even_start = integrate(combed, elements, solver, untangler.even_weights());
         untangler.untangle_everywhere(elements, solver, {even_start, y});
@@ -93,6 +100,7 @@ private:
     }
     verify(map);
     measure(combed, map);
+    return can_go_on;
   }
 
   /// Minimises (36), with weights, over the free parameters; exact for piecewise linear coordinates. `weights`: by
@@ -155,16 +163,18 @@ private:
               Seamless_map_data& map) const
   {
     constexpr int max_moves = 16; // each leaves about three quarters of the distance
+    Untangling untangling = Untangling::around_folds;
     for (int moves = 0;; ++moves) {
       const bool may_move = options.move_singularities && moves < max_moves;
-      compute(gradients, options, true, may_move, map);
+      const bool can_go_on = compute(gradients, options, may_move ? untangling : Untangling::everywhere, may_move, map);
       if (!may_move || map.n_invalid() == 0)
         return;
       Singularity_mover mover(m_mesh, map.topology);
       const int n_moved = map.flipped_faces.empty() ? mover(map.misturned_vertices, turned_quadrants(m_mesh, map.uv))
                                                     : mover.hand_to_curves(map.flipped_faces, map.uv);
-      if (n_moved == 0)
+      if (n_moved == 0 && !can_go_on)
         return;
+      untangling = n_moved == 0 ? Untangling::everywhere : Untangling::around_folds;
       map.moved_singularities += n_moved;
     }
   }
@@ -242,7 +252,7 @@ Seamless_map_data Seamless_map_solver<Solver>::operator()(const std::vector<Grad
   const auto start = std::chrono::steady_clock::now();
   Seamless_map_data map;
   map.topology = topology(gradients, options);
-  compute(gradients, options, false, false, map);
+  compute(gradients, options, Untangling::none, false, map);
   const int flipped_before_untangling = map.flipped_before_untangling;
   if (options.untangle && map.n_invalid() > map.flat_faces.size()) {
     if (options.repair_corners)
