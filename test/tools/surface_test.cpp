@@ -151,6 +151,41 @@ TEST_F(Surface, cube_becomes_squares_with_its_edges_as_curves)
   EXPECT_EQ(summary()["against"]["flipped_quads"], 0);
 }
 
+TEST_F(Surface, meshes_with_cracks_are_repaired_on_request)
+{
+  // Every triangle of the cube has points of its own, and every third one is turned over.
+  std::istringstream cube(cube_in_off(6, false));
+  std::string word;
+  std::size_t n_points = 0, n_triangles = 0;
+  cube >> word >> n_points >> n_triangles >> word;
+  std::vector<std::array<std::string, 3>> points(n_points);
+  for (auto& p : points)
+    cube >> p[0] >> p[1] >> p[2];
+  std::ostringstream soup;
+  for (std::size_t f = 0; f < n_triangles; ++f) {
+    std::array<std::size_t, 3> t{};
+    cube >> word >> t[0] >> t[1] >> t[2];
+    for (const std::size_t v : t)
+      soup << "v " << points[v][0] << ' ' << points[v][1] << ' ' << points[v][2] << '\n';
+  }
+  for (std::size_t f = 0; f < n_triangles; ++f)
+    soup << "f " << 3 * f + 1 << ' ' << 3 * f + (f % 3 == 0 ? 3 : 2) << ' ' << 3 * f + (f % 3 == 0 ? 2 : 3) << '\n';
+  const std::string file = write("soup.obj", soup.str()), whole = write("cube.off", cube_in_off(6, false));
+  EXPECT_EQ(run({"quad", file, "-o", path("quads.obj"), "--starts", "1"}), 3);
+  EXPECT_NE(m_error.find("the surface has a crack: at the edge from"), std::string::npos) << m_error;
+  EXPECT_TRUE(content(path("quads.obj")).empty());
+  EXPECT_EQ(run({"quad", file, "-o", path("quads.obj"), "--size", "0.5", "--starts", "1", "--repair"}), 0) << m_error;
+  EXPECT_NE(m_output.find("repaired: "), std::string::npos) << m_output;
+  EXPECT_EQ(run({"check", path("quads.obj"), "--against", whole, "--json", path("summary.json")}), 0) << m_error;
+  EXPECT_EQ(summary()["mesh"]["quads"], 96);
+  EXPECT_LT(summary()["against"]["hausdorff_relative"], 1e-9);
+  EXPECT_NEAR(summary()["mesh"]["edge_length"]["percentile_99"], 0.5, 1e-3);
+  EXPECT_EQ(run({"check", path("quads.obj"), "--against", file}), 3);
+  EXPECT_EQ(run({"check", path("quads.obj"), "--against", file, "--repair"}), 0) << m_error;
+  EXPECT_EQ(run({"check", path("quads.obj"), "--repair"}), 2);
+  EXPECT_EQ(run({"quad", QUADRILLE_EXAMPLE_DATA "/box_transition.geo", "-o", path("q.obj"), "--repair"}), 2);
+}
+
 TEST_F(Surface, has_as_many_quads_as_wanted)
 {
   const std::string cube = write("cube.off", cube_in_off(6, false));
