@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
 
 using namespace Quadrille;
@@ -137,6 +138,32 @@ TEST(Repair_mesh, flat_triangles_give_their_middle_point_to_their_neighbour)
   EXPECT_EQ(repaired.polygon_region, (std::vector<int>{8, 9, 7, 7}));
   EXPECT_EQ(repaired.lines, (std::vector<std::array<int, 2>>{{0, 4}, {4, 2}}));
   EXPECT_EQ(repaired.line_curve, (std::vector<int>{5, 5}));
+}
+
+TEST(Repair_mesh, ends_where_flat_triangles_lie_on_each_other)
+{
+  // Grids of triangles whose corners are at few places, so that most are flat, in layers and cycles.
+  std::mt19937 generator(1);
+  for (int k = 0; k < 300; ++k) {
+    const int n = 3 + k % 5;
+    Labelled_mesh mesh;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j)
+        mesh.points.push_back({double(generator() % 8), double(generator() % 3 / 2), 0.0});
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const int a = i * (n + 1) + j;
+        mesh.polygons.push_back({a, a + 1, a + n + 2});
+        mesh.polygons.push_back({a, a + n + 2, a + n + 1});
+      }
+    mesh.polygon_region.assign(mesh.polygons.size(), -1);
+    Mesh_repair_report report;
+    const Labelled_mesh repaired = repair_mesh(mesh, report);
+    EXPECT_LE(repaired.polygons.size(), mesh.polygons.size());
+    EXPECT_GT(report.dropped_triangles, 0U);
+    EXPECT_LE(report.dropped_triangles, 10 * mesh.polygons.size());
+    EXPECT_EQ(repaired.polygon_region.size(), repaired.polygons.size());
+  }
 }
 
 TEST(Repair_mesh, points_at_one_place_in_a_triangle_become_one)

@@ -38,7 +38,7 @@ struct Mesh_repair_report {
 /// Points keep their numbers; labels of polygons and lines go along. Nothing else is repaired: `make_surface_domain()`
 /// tells what is left. Polygons that cannot be divided, and all polygons if a point does not exist or is not finite,
 /// are returned as they are.
-/// Complexity: O(n log n).
+/// Complexity: O(n log n), for each layer of flat triangles on top of each other.
 Labelled_mesh repair_mesh(const Labelled_mesh& mesh, Mesh_repair_report& report);
 
 } // namespace Quadrille

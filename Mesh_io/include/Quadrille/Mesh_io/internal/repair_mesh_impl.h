@@ -42,7 +42,8 @@ public:
       return m_mesh;
     merge_short_edges();
     clean();
-    while (remove_one_flat_layer())
+    // Each layer has fewer flat triangles or shorter edges than the one before, but for rounding.
+    for (std::size_t n_left = 2 * number_of_flat_triangles(); n_left > 0 && remove_one_flat_layer(); --n_left)
       clean();
     while (close_cracks())
       clean();
@@ -175,21 +176,33 @@ private:
            CGAL::collinear(exact(t[0]), exact(t[1]), exact(t[2]));
   }
 
-  /// Drops flat triangles whose longest edge has another triangle, which gets the middle corner. Returns whether there
-  /// were any; those next to each other come one after the other.
+  std::size_t number_of_flat_triangles() const
+  {
+    return std::size_t(
+        std::count_if(m_triangles.begin(), m_triangles.end(), [&](const Triangle& t) { return is_flat(t); }));
+  }
+
+  /// Drops flat triangles; the other triangle at the longest edge gets the middle corner. Where that one is flat, too,
+  /// it comes first, unless both have this longest edge. Returns whether there were any.
   bool remove_one_flat_layer()
   {
     const Triangle_adjacency adjacency(m_triangles);
     std::vector<char> is_changed(m_triangles.size(), 0);
     std::vector<std::pair<Triangle, int>> added;
+    std::size_t n_divided = 0;
     for (std::size_t t = 0; t < m_triangles.size(); ++t) {
       if (is_changed[t] || !is_flat(m_triangles[t]))
         continue;
       const std::size_t i = longest_edge(m_triangles[t]);
       const int from = m_triangles[t][i], to = m_triangles[t][(i + 1) % 3], middle = m_triangles[t][(i + 2) % 3];
       const int other = adjacency.neighbor(t, i);
-      if (other >= 0 && is_changed[std::size_t(other)])
-        continue; // in the next layer
+      if (other >= 0) {
+        const Triangle& u = m_triangles[std::size_t(other)];
+        const std::size_t j = longest_edge(u);
+        if (is_changed[std::size_t(other)] ||
+            (is_flat(u) && std::minmax(u[j], u[(j + 1) % 3]) != std::minmax(from, to)))
+          continue; // in a later layer
+      }
       is_changed[t] = 1;
       m_splits.push_back({from, to, middle});
       if (other < 0)
@@ -200,7 +213,7 @@ private:
         std::replace(part.begin(), part.end(), replaced, middle);
         added.emplace_back(part, m_region[std::size_t(other)]);
       }
-      --m_report.dropped_triangles; // the divided one is not lost
+      ++n_divided;
     }
     std::size_t n = 0;
     for (std::size_t t = 0; t < m_triangles.size(); ++t)
@@ -208,7 +221,7 @@ private:
         m_triangles[n] = m_triangles[t];
         m_region[n++] = m_region[t];
       }
-    m_report.dropped_triangles += m_triangles.size() - n;
+    m_report.dropped_triangles += m_triangles.size() - n - n_divided;
     const bool is_any = n < m_triangles.size();
     m_triangles.resize(n);
     m_region.resize(n);
