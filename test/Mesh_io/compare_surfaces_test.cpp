@@ -77,6 +77,31 @@ TEST(Surface_comparison, of_cubes_of_different_size)
   }
 }
 
+TEST(Surface_comparison, thin_walls_are_told_apart_by_their_labels)
+{
+  // Two plates back to back, the mesh bent outwards by more than their distance: nearer to the other plate.
+  const double gap = 0.01, bend = 0.1;
+  Labelled_mesh plates = quads({{0, 0, 0},
+                                {1, 0, 0},
+                                {1, 1, 0},
+                                {0, 1, 0}, //
+                                {0, 0, gap},
+                                {0, 1, gap},
+                                {1, 1, gap},
+                                {1, 0, gap}},
+                               {{0, 1, 2, 3}, {4, 5, 6, 7}});
+  plates.regions = {{7, {}}, {8, {}}};
+  plates.polygon_region = {0, 1};
+  const Surface_domain domain = make_surface_domain(plates, "plates");
+  Labelled_mesh mesh = plates;
+  for (std::size_t v = 0; v < 8; ++v)
+    mesh.points[v][2] += v < 4 ? bend : -bend;
+  EXPECT_EQ(compare_with_surface(mesh, domain).flipped_quads, 0u);
+  EXPECT_EQ(compare_with_surface(turned_over(mesh), domain).flipped_quads, 2u);
+  mesh.polygon_region = {-1, -1};
+  EXPECT_EQ(compare_with_surface(mesh, domain).flipped_quads, 2u);
+}
+
 TEST(Surface_comparison, of_a_sphere_and_a_larger_one)
 {
   for (const double scale : {1.0, 1e8, 1e-8}) {

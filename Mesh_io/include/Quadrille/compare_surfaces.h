@@ -25,8 +25,10 @@ struct Surface_comparison {
   double feature_distance_max = 0;
   double feature_distance_max_relative = 0;
 
-  double area_relative = 0;      ///< area of the mesh / area of the surface - 1
-  std::size_t flipped_quads = 0; ///< whose normals point away from those of the triangles nearest to their centres
+  double area_relative = 0; ///< area of the mesh / area of the surface - 1
+  /// Whose normals point away from those of the triangles nearest to their centres: of the same surface, where the mesh
+  /// has its tag, and else of all.
+  std::size_t flipped_quads = 0;
 };
 
 /// Compares a quad mesh with the surface that it should be of, at these points: of the mesh, those of a regular grid of

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,7 @@ public:
     const std::vector<Triangle_3> surface = triangles_of_domain(), patches = triangles_of_patches();
     m_result.area_relative = area_of(patches) / area_of(surface) - 1;
     measure_to(surface);
+    count_flipped(surface);
     measure_from(surface, patches);
     measure_curves();
     CGAL::Bbox_3 box;
@@ -186,12 +188,40 @@ private:
       for (int i = 1; i < n_cells; ++i)
         for (int j = 1; j < n_cells; ++j)
           measure(bilinear(patch, double(i) / n_cells, double(j) / n_cells));
-    for (const std::vector<int>& polygon : m_mesh.polygons)
-      if (polygon.size() == 4) {
-        const Point_3 centre = bilinear({polygon[0], polygon[1], polygon[2], polygon[3]}, 0.5, 0.5);
-        const Vector_3 normal = doubled_area_vector_of(surface[tree.nearest(centre).index]);
-        m_result.flipped_quads += doubled_area_vector(m_mesh, polygon) * normal < 0;
-      }
+  }
+
+  /// Where the mesh tells which surface a quad is of, what is nearer on another one does not matter: the other side of
+  /// a thin wall, or a part that touches.
+  void count_flipped(const std::vector<Triangle_3>& surface)
+  {
+    std::map<int, std::vector<Triangle_3>> surface_of; // by tag
+    for (const auto f : m_domain.mesh.faces())
+      surface_of[m_domain.regions[std::size_t(m_domain.face_region[f.idx()])].tag].push_back(surface[f.idx()]);
+    std::map<int, std::vector<std::size_t>> quads_of; // by tag
+    std::vector<std::size_t> others;
+    for (std::size_t f = 0; f < m_mesh.polygons.size(); ++f) {
+      if (m_mesh.polygons[f].size() != 4)
+        continue;
+      const int region = m_mesh.polygon_region[f];
+      const int tag = region < 0 ? 0 : m_mesh.regions[std::size_t(region)].tag;
+      (region >= 0 && surface_of.count(tag) ? quads_of[tag] : others).push_back(f);
+    }
+    for (const auto& [tag, quads] : quads_of)
+      count_flipped(quads, surface_of[tag]);
+    count_flipped(others, surface);
+  }
+
+  void count_flipped(const std::vector<std::size_t>& quads, const std::vector<Triangle_3>& surface)
+  {
+    if (quads.empty())
+      return;
+    const Nearest_tree<Triangle_3> tree(surface);
+    for (const std::size_t f : quads) {
+      const std::vector<int>& q = m_mesh.polygons[f];
+      const Vector_3 normal =
+          doubled_area_vector_of(surface[tree.nearest(bilinear({q[0], q[1], q[2], q[3]}, 0.5, 0.5)).index]);
+      m_result.flipped_quads += doubled_area_vector(m_mesh, q) * normal < 0;
+    }
   }
 
   Point_3 bilinear(const std::array<int, 4>& patch, double s, double t) const

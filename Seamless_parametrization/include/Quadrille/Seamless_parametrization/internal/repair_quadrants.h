@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <queue>
+#include <utility>
 #include <vector>
 
 namespace Quadrille {
@@ -18,8 +19,9 @@ namespace internal {
 /// Brings the quadrants of every sector within its limits (at least one everywhere; two along straight sides, and so
 /// on), by handing single quadrants to or from sectors nearby: first choice, within a few edges, is one that is itself
 /// out of its limits or singular the other way round, so that both heal; else an interior vertex, which becomes a
-/// singularity of valence 3 or 5; and where a region has none, a boundary or feature vertex whose limits allow it (or
-/// any that keeps one quadrant, for a sector that has none).
+/// singularity of valence 3 or 5; and where a region has none, a boundary or feature vertex whose limits allow it. For
+/// a sector that no convex quads fill, the limits do not count, and for one without a quadrant, nothing does but that
+/// one is left.
 ///
 /// A quadrant is handed on along an edge by changing the edge's matching, or the alignment of one side of a constrained
 /// edge, by one. The sum of all quadrants, and so the index sum, stays.
@@ -79,7 +81,10 @@ private:
     return true;
   }
 
-  enum class Suitability { heals, regular, tolerable, last_resort, unsuitable };
+  enum class Suitability { heals, regular, tolerable, out_of_limits, not_convex, unsuitable };
+
+  /// So many convex quads fill a sector only if that is below as many times 180 degrees.
+  static bool is_convex(const Frame_topology::Sector& sector, int quadrants) { return sector.angle < 2.0 * quadrants; }
 
   /// What `amount` quadrants more would mean for a sector.
   Suitability suitability(int s, int amount)
@@ -94,7 +99,9 @@ private:
     const int changed = candidate.quadrants + amount;
     if (changed >= candidate.least_quadrants && changed <= candidate.most_quadrants)
       return Suitability::tolerable;
-    return changed >= 1 ? Suitability::last_resort : Suitability::unsuitable;
+    return changed < 1                     ? Suitability::unsuitable
+           : is_convex(candidate, changed) ? Suitability::out_of_limits
+                                           : Suitability::not_convex;
   }
 
   /// Breadth first from sector `start`. `m_arrival` remembers for each visited sector the halfedge over which a
@@ -104,7 +111,7 @@ private:
     ++m_n_rounds;
     std::queue<int> queue;
     visit(start, -1, 0, queue);
-    std::array<int, 5> nearest; // by suitability
+    std::array<int, 6> nearest; // by suitability
     nearest.fill(-1);
     while (!queue.empty()) {
       const int s = queue.front();
@@ -118,8 +125,13 @@ private:
         nearest[std::size_t(suits)] = s;
       visit_neighbours(s, queue);
     }
-    for (const Suitability choice : {Suitability::regular, Suitability::tolerable, Suitability::last_resort})
-      if (nearest[std::size_t(choice)] >= 0 && (choice != Suitability::last_resort || sector(start).quadrants < 1))
+    // The worse a partner, the worse what it has to heal.
+    const bool is_empty = sector(start).quadrants < 1;
+    const bool is_urgent = is_empty || !is_convex(sector(start), sector(start).quadrants);
+    for (const auto& [choice, is_allowed] :
+         {std::pair(Suitability::regular, true), std::pair(Suitability::tolerable, true),
+          std::pair(Suitability::out_of_limits, is_urgent), std::pair(Suitability::not_convex, is_empty)})
+      if (is_allowed && nearest[std::size_t(choice)] >= 0)
         return nearest[std::size_t(choice)];
     return -1;
   }
