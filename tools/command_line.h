@@ -21,8 +21,8 @@ namespace Quadrille {
 /// What the user asked `quadrille quad` for.
 struct Quad_arguments {
   std::string input;
-  std::vector<std::string> outputs;      ///< the mesh in one or more formats
-  std::string field, map, picture, json; ///< further files to write; empty: none
+  std::vector<std::string> outputs;                    ///< the mesh in one or more formats
+  std::string field, map, seamless_map, picture, json; ///< further files to write; empty: none
   std::vector<std::string> sizes;
   double triangle_size = 0;           ///< 0: chosen from the domain
   std::vector<std::string> unaligned; ///< names of curves that elements need not follow

@@ -6,6 +6,7 @@
 #include "Quad_pipeline.h"
 #include "Quad_run.h"
 #include "domain_constraints.h"
+#include "integer_grid.h"
 #include "json_summary.h"
 #include "picture_file.h"
 #include "pipeline_output.h"
@@ -53,10 +54,9 @@ private:
       throw Invalid_argument_error("size '" + item +
                                    "': different sizes across and along a curve need anisotropic frames; add "
                                    "--anisotropic or give equal sizes");
-    m_sizes = specification.apply(m_domain);
-    const double factor =
-        factor_for_number(m_arguments.quads, estimate_number_of_quads(m_domain, m_sizes), m_sizes.notes);
-    scale_sizes(m_sizes, factor);
+    const double factor = factor_for_number(
+        m_arguments.quads, estimate_number_of_quads(m_domain, specification.apply(m_domain)), m_domain.notes);
+    m_sizes = specification.apply(m_domain, factor);
     remove_unaligned_curves(m_domain, m_arguments.unaligned);
     check_number_of_quads();
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
@@ -119,6 +119,7 @@ private:
     options.extraction.layout = m_arguments.layout;
     options.extraction.counts = m_counts;
     options.extraction.quads = m_arguments.quads;
+    options.extraction.displacements = !m_arguments.map.empty();
     options.quantizer = m_arguments.quantizer;
     options.extraction.max_quads = 4 * m_arguments.max_quads; // the estimate may be off by a factor
     options.observer = &m_console.observer();
@@ -127,21 +128,32 @@ private:
     scale_sizes(m_sizes, 1 / m_result.extraction->scale);
     m_mesh_summary = summarize(m_result.mesh, m_domain, m_sizes);
     m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!m_arguments.map.empty())
+      m_integer_grid =
+          make_integer_grid(triangulated_domain(), m_result.corner_uv, *m_result.extraction, m_arguments.threads);
   }
 
   void write() override
   {
     for (const std::string& output : m_arguments.outputs)
       write_mesh(output, m_result.mesh);
-    const Planar_domain& domain = m_result.refined_domain ? *m_result.refined_domain : m_domain;
+    const Planar_domain& domain = triangulated_domain();
     if (!m_arguments.field.empty()) {
       const Frames frames = frames_of(domain, m_result);
       write_frame_field(m_arguments.field, domain, frames.u, frames.v, frames.valence);
     }
-    if (!m_arguments.map.empty())
-      write_corner_map(m_arguments.map, domain, m_result.corner_uv);
+    if (m_integer_grid)
+      write_corner_map(m_arguments.map, domain, m_integer_grid->corner_uv);
+    if (!m_arguments.seamless_map.empty())
+      write_corner_map(m_arguments.seamless_map, domain, m_result.corner_uv);
     if (!m_arguments.picture.empty())
       write_picture_file(m_arguments.picture, svg_picture(domain, m_result));
+  }
+
+  /// The triangles on which field and map are.
+  const Planar_domain& triangulated_domain() const
+  {
+    return m_result.refined_domain ? *m_result.refined_domain : m_domain;
   }
 
   Json summary() const override
@@ -153,11 +165,15 @@ private:
       json["mesh"] = json_of(*m_mesh_summary);
       json["mesh"]["seconds"] = m_result.extraction->mesh_seconds + m_check_seconds;
     }
+    if (m_integer_grid)
+      json["map"]["integer_grid"] = {{"flipped", m_integer_grid->flipped}, {"seconds", m_integer_grid->seconds}};
     return json;
   }
 
   void report() override
   {
+    if (m_integer_grid && m_integer_grid->flipped > 0)
+      m_console.print(note_on_integer_grid(m_arguments.map, *m_integer_grid));
     if (!m_result.extraction->quantization.note.empty())
       m_console.print(m_result.extraction->quantization.note);
     std::ostringstream line;
@@ -192,6 +208,7 @@ private:
   Size_field m_size_field;
   Quad_pipeline_result m_result;
   std::optional<Mesh_summary> m_mesh_summary;
+  std::optional<Integer_grid> m_integer_grid;
   double m_check_seconds = 0;
 };
 

@@ -30,8 +30,10 @@ void check_outputs(const Quad_arguments& arguments)
     check_picture_name(arguments.picture);
   check_ending(arguments.field, ".vtu");
   check_ending(arguments.map, ".obj");
+  check_ending(arguments.seamless_map, ".obj");
   std::vector<std::string> paths = arguments.outputs;
-  paths.insert(paths.end(), {arguments.field, arguments.map, arguments.picture, arguments.json});
+  paths.insert(paths.end(),
+               {arguments.field, arguments.map, arguments.seamless_map, arguments.picture, arguments.json});
   check_output_files(paths, {arguments.input});
 }
 

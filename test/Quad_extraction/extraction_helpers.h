@@ -46,37 +46,56 @@ template <std::size_t D> struct Extracted_in {
 };
 using Extracted = Extracted_in<2>;
 
+/// Index arrays as a `CGAL::Surface_mesh` with property maps.
+template <std::size_t D> struct Mapped_surface_mesh {
+  using Mesh = CGAL::Surface_mesh<typename Extracted_in<D>::Point>;
+  using Uv_map = typename Mesh::template Property_map<typename Mesh::Halfedge_index, Point_2>;
+
+  explicit Mapped_surface_mesh(const Mapped_mesh_in<D>& mapped)
+      : uv(add_uv_map("h:uv")),
+        curve(mesh.template add_property_map<typename Mesh::Edge_index, int>("e:curve", -1).first),
+        region(mesh.template add_property_map<typename Mesh::Face_index, int>("f:region", 0).first)
+  {
+    for (const auto& p : mapped.points)
+      if constexpr (D == 2)
+        mesh.add_vertex({p[0], p[1]});
+      else
+        mesh.add_vertex({p[0], p[1], p[2]});
+    for (std::size_t f = 0; f < mapped.triangles.size(); ++f) {
+      const auto vertex = [&](std::size_t i) {
+        return typename Mesh::Vertex_index(unsigned(mapped.triangles[f][i % 3]));
+      };
+      const auto face = mesh.add_face(vertex(0), vertex(1), vertex(2));
+      region[face] = mapped.region[f];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto h = mesh.halfedge(vertex(i), vertex(i + 1));
+        curve[mesh.edge(h)] = mapped.curve[3 * f + i];
+        const Point& at_target = mapped.corner_uv[3 * f + (i + 1) % 3];
+        uv[h] = Point_2(at_target[0], at_target[1]);
+      }
+    }
+  }
+
+  Uv_map add_uv_map(const char* name)
+  {
+    return mesh.template add_property_map<typename Mesh::Halfedge_index, Point_2>(name).first;
+  }
+
+  Mesh mesh;
+  Uv_map uv;
+  typename Mesh::template Property_map<typename Mesh::Edge_index, int> curve;
+  typename Mesh::template Property_map<typename Mesh::Face_index, int> region;
+};
+
 /// Runs the public function on a `CGAL::Surface_mesh`.
 template <std::size_t D, class Quantizer = Quadrille::Greedy_quantizer, class Projector = Quadrille::No_curve_projector>
 Extracted_in<D> extract(const Mapped_mesh_in<D>& mapped, const Quadrille::Quad_extraction_options& options = {},
                         const Quantizer& quantizer = {}, const Projector& projector = {})
 {
-  using Mesh = CGAL::Surface_mesh<typename Extracted_in<D>::Point>;
-  Mesh mesh;
-  auto uv = mesh.template add_property_map<typename Mesh::Halfedge_index, Point_2>("h:uv").first;
-  auto curve = mesh.template add_property_map<typename Mesh::Edge_index, int>("e:curve", -1).first;
-  auto region = mesh.template add_property_map<typename Mesh::Face_index, int>("f:region", 0).first;
-  for (const auto& p : mapped.points)
-    if constexpr (D == 2)
-      mesh.add_vertex({p[0], p[1]});
-    else
-      mesh.add_vertex({p[0], p[1], p[2]});
-  for (std::size_t f = 0; f < mapped.triangles.size(); ++f) {
-    const auto vertex = [&](std::size_t i) {
-      return typename Mesh::Vertex_index(unsigned(mapped.triangles[f][i % 3]));
-    };
-    const auto face = mesh.add_face(vertex(0), vertex(1), vertex(2));
-    region[face] = mapped.region[f];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto h = mesh.halfedge(vertex(i), vertex(i + 1));
-      curve[mesh.edge(h)] = mapped.curve[3 * f + i];
-      const Point& at_target = mapped.corner_uv[3 * f + (i + 1) % 3];
-      uv[h] = Point_2(at_target[0], at_target[1]);
-    }
-  }
+  const Mapped_surface_mesh<D> input(mapped);
   Extracted_in<D> extracted;
-  extracted.result =
-      Quadrille::extract_quads(mesh, mesh.points(), uv, curve, region, extracted.quads, options, quantizer, projector);
+  extracted.result = Quadrille::extract_quads(input.mesh, input.mesh.points(), input.uv, input.curve, input.region,
+                                              extracted.quads, options, quantizer, projector);
   return extracted;
 }
 

@@ -9,12 +9,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -175,6 +177,24 @@ TEST_F(Program, unusable_input)
   EXPECT_EQ(run({"check", path("missing.msh")}), 3);
 }
 
+/// Extents of u and v in an OBJ file.
+std::array<double, 2> texture_extents(const std::string& text)
+{
+  std::array<double, 4> box{1e300, -1e300, 1e300, -1e300};
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("vt ", 0) == 0) {
+      std::istringstream values(line.substr(3));
+      for (std::size_t c = 0; c < 2; ++c) {
+        double x = 0;
+        values >> x;
+        box[2 * c] = std::min(box[2 * c], x);
+        box[2 * c + 1] = std::max(box[2 * c + 1], x);
+      }
+    }
+  return {box[1] - box[0], box[3] - box[2]};
+}
+
 TEST_F(Program, meshes_a_square_and_checks_it)
 {
   const std::string in = square(), out = path("out/a.msh"), json = path("out/a.json");
@@ -204,7 +224,9 @@ TEST_F(Program, meshes_a_square_and_checks_it)
   EXPECT_NE(mesh.find("1 5 \"bottom\""), std::string::npos);
   EXPECT_NE(mesh.find("2 6 \"plate\""), std::string::npos);
   EXPECT_EQ(content(path("out/p.svg")).rfind("<svg", 0), 0u);
-  EXPECT_EQ(std::distance(fs::directory_iterator(path("out")), {}), 5); // and no temporary files
+  EXPECT_EQ(summary["map"]["integer_grid"]["flipped"], 0);
+  EXPECT_EQ(texture_extents(content(path("out/m.obj"))), (std::array<double, 2>{8, 8})); // 64 quads
+  EXPECT_EQ(std::distance(fs::directory_iterator(path("out")), {}), 5);                  // and no temporary files
 
   EXPECT_EQ(run({"check", out, "--against", in, "--size", "0.5", "--json", path("c.json")}), 0) << m_error;
   const nlohmann::json check = nlohmann::json::parse(content(path("c.json")));

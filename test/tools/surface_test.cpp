@@ -75,8 +75,8 @@ protected:
 TEST_F(Surface, sphere_gets_field_map_picture_and_summary)
 {
   const std::string sphere = write("sphere.off", cube_in_off(8, true));
-  ASSERT_EQ(run({"quad", sphere, "--size", "0.2", "--starts", "1", "--field", path("f.vtu"), "--map", path("m.obj"),
-                 "--picture", path("p.svg"), "--json", path("summary.json")}),
+  ASSERT_EQ(run({"quad", sphere, "--size", "0.2", "--starts", "1", "--field", path("f.vtu"), "--seamless-map",
+                 path("m.obj"), "--picture", path("p.svg"), "--json", path("summary.json")}),
             0)
       << m_error;
   const Json all = summary();

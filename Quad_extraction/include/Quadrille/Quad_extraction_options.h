@@ -5,6 +5,7 @@
 #define QUADRILLE_QUAD_EXTRACTION_OPTIONS_H
 
 #include <Quadrille/Curve_count.h>
+#include <Quadrille/Map_displacement.h>
 #include <Quadrille/Progress_observer.h>
 #include <Quadrille/Quad_layout.h>
 #include <Quadrille/Quad_smoothing_options.h>
@@ -30,6 +31,7 @@ struct Quad_extraction_options {
   std::size_t max_quads = 20000000; ///< more are refused
   std::size_t max_trace_steps = 0;  ///< triangles that a separatrix may cross; 0: 4 times their number + 1000
   int max_refinements = 6;          ///< times that patches too coarse for the domain get more quads before giving up
+  bool displacements = false;       ///< tell what makes an integer-grid map of the seamless one
   int threads = 1;                  ///< 0: all cores; the result does not depend on it
   Quad_smoothing_options smoothing; ///< its threads and observer are replaced by those here
   const Progress_observer* observer = nullptr; ///< stages "layout", "quantization", "mesh"
@@ -61,6 +63,8 @@ struct Quad_extraction_result {
   int refinements = 0;                                           ///< see `max_refinements`
   int collapsed_arcs = 0;                                        ///< arcs of length 0
   double scale = 1; ///< of the map's lengths, for `Quad_extraction_options::quads`
+  /// Between critical nodes and curves, in numbers of elements, if asked for: what `integer_grid_map()` needs.
+  std::vector<Map_displacement> displacements;
   double area_change_relative =
       0; ///< (sum of the patches' integer areas) / (sum of their map areas times `scale`^2) - 1
 

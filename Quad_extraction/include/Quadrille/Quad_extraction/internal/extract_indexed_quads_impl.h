@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_QUAD_EXTRACTION_INTERNAL_EXTRACT_INDEXED_QUADS_IMPL_H
 #define QUADRILLE_QUAD_EXTRACTION_INTERNAL_EXTRACT_INDEXED_QUADS_IMPL_H
 
+#include <Quadrille/Quad_extraction/internal/Grid_displacements.h>
 #include <Quadrille/Quad_extraction/internal/Lap_timer.h>
 #include <Quadrille/Quad_extraction/internal/Layout_builder.h>
 #include <Quadrille/Quad_extraction/internal/Quad_assembly.h>
@@ -166,6 +167,8 @@ Indexed_quads<D> extract_indexed_quads(const Seamless_map& map, const std::vecto
   }
   if (options.smooth)
     checks.check_geometry(inverted_quads(quads, ground));
+  if (options.displacements)
+    result.displacements = Grid_displacements(map, layout, result.quantization.lengths).run();
   result.irregular_vertices = checks.irregular_vertices();
   for (const typename Indexed_quads<D>::Vertex& vertex : quads.vertices)
     result.vertices.push_back({vertex.input_vertex, vertex.chain < 0 ? -1 : at(quads.curves, vertex.chain).curve()});

@@ -15,6 +15,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -43,14 +44,18 @@ inline void add_multiple(Linear_form& form, const Linear_form& other, const Rati
 /// coefficient 1 or 2 that little else depends on, which keeps both fill and denominators small.
 class Exact_elimination {
 public:
-  /// `uses[i]`: in how many coordinates of the map variable i occurs.
-  explicit Exact_elimination(std::vector<int> uses) : m_sets(uses.size()), m_uses(std::move(uses)) {}
+  /// `uses[i]`: in how many coordinates of the map variable i occurs. `constant`: a variable that is never eliminated
+  /// (it stands for the number 1, which makes equations inhomogeneous), -1 if there is none.
+  explicit Exact_elimination(std::vector<int> uses, int constant = -1)
+      : m_sets(uses.size()), m_uses(std::move(uses)), m_constant(constant)
+  {
+  }
 
   void impose_zero(const Linear_form& form)
   {
     if (form.empty())
       return;
-    if (form.size() == 2) {
+    if (form.size() == 2 && !form.count(m_constant)) {
       const auto& [x, a] = *form.begin();
       const auto& [y, b] = *form.rbegin();
       if (boost::abs(a) == boost::abs(b) && unite(x, y, a == b ? -1 : 1))
@@ -60,6 +65,7 @@ public:
   }
 
   /// Near-linear in practice: the union-find, and a sparse elimination of the seam ends only.
+  /// \throws No_result_error if the equations contradict each other, which they can with a constant only.
   void solve()
   {
     rewrite_in_roots();
@@ -122,7 +128,7 @@ private:
     const auto rank = [&](const std::pair<const int, Rational>& term) {
       const Rational size = boost::abs(term.second);
       const bool small = size.denominator() == 1 && size.numerator() <= 2;
-      return std::make_pair(!small, m_uses[std::size_t(term.first)]);
+      return std::make_tuple(term.first == m_constant, !small, m_uses[std::size_t(term.first)]);
     };
     return std::min_element(equation.begin(), equation.end(),
                             [&](const auto& a, const auto& b) { return rank(a) < rank(b); })
@@ -135,6 +141,8 @@ private:
     for (const auto& term : form)
       m_rows_of[term.first].erase(row);
     const int pivot = choose_pivot(form);
+    if (pivot == m_constant)
+      throw No_result_error("map", "the displacements asked for contradict each other");
     const Rational factor = Rational(-1) / form[pivot];
     form.erase(pivot);
     for (auto& term : form)
@@ -180,6 +188,7 @@ private:
 
   Signed_union_find m_sets;
   std::vector<int> m_uses; ///< by root: of all variables of its set
+  int m_constant;
   std::vector<Linear_form> m_equations;
   std::map<int, std::set<int>> m_rows_of; ///< by variable: the equations left that contain it
   std::set<std::pair<std::size_t, int>> m_by_length;

@@ -93,7 +93,7 @@ private:
     for (const int f : region.faces)
       for (int r = 0; r < 6; ++r) {
         const int row = 2 * space.copy_of_corner[std::size_t(3 * f + r / 2)] + r % 2;
-        double constant = 0.0;
+        double constant = space.constant(row);
         for (const Seamless_space::Entry* e = space.begin(row); e != space.end(row); ++e) {
           const double coefficient = double(e->coefficient) / double(space.denominator);
           if (const int parameter = place[std::size_t(e->parameter)]; parameter >= 0)

@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_SEAMLESS_CONSTRAINTS_H
 #define QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_SEAMLESS_CONSTRAINTS_H
 
+#include <Quadrille/Map_displacement.h>
 #include <Quadrille/Seamless_parametrization/internal/Cut_graph.h>
 #include <Quadrille/Seamless_parametrization/internal/Exact_elimination.h>
 #include <Quadrille/Seamless_parametrization/internal/Frame_topology.h>
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +23,7 @@
 namespace Quadrille {
 namespace internal {
 
-/// Coordinates as exact integer combinations of free parameters: x = (1 / denominator) C y.
+/// Coordinates as exact integer combinations of free parameters: x = (1 / denominator) (C y + c).
 ///
 /// A copy of a vertex is what the cuts leave of it: as many copies as there are wedges between cut edges. Row
 /// 2 copy + c gives coordinate c (0: u, 1: v) of the copy.
@@ -37,27 +39,32 @@ struct Seamless_space {
   std::int64_t denominator = 1;
   std::vector<std::size_t> first_entry; ///< by row, and the end
   std::vector<Entry> entries;
+  std::vector<std::int64_t> constants; ///< by row; zero but for maps with prescribed displacements
 
   const Entry* begin(int row) const { return entries.data() + first_entry[std::size_t(row)]; }
   const Entry* end(int row) const { return entries.data() + first_entry[std::size_t(row) + 1]; }
+  double constant(int row) const { return double(constants[std::size_t(row)]) / double(denominator); }
 };
 
-/// Writes down the seam, alignment and gauge constraints over the integers and eliminates them.
+/// Writes down the seam, alignment and gauge constraints over the integers, prescribed displacements included, and
+/// eliminates them.
 ///
 /// Variables: the coordinates of one copy of every vertex, and a translation for every path of the cut graph. The
 /// other copies follow by turning and translating; going once around a vertex must lead back (closing relation).
 class Seamless_constraints {
 public:
-  Seamless_constraints(const Indexed_triangulation& mesh, const Frame_topology& topology, const Cut_graph& cut)
-      : m_mesh(mesh), m_topology(topology), m_cut(cut)
+  Seamless_constraints(const Indexed_triangulation& mesh, const Frame_topology& topology, const Cut_graph& cut,
+                       const std::vector<Map_displacement>& displacements = {})
+      : m_mesh(mesh), m_topology(topology), m_cut(cut), m_displacements(displacements)
   {
   }
 
-  /// \throws No_result_error if denominators grow beyond what doubles can carry.
+  /// \throws No_result_error if denominators grow beyond what doubles can carry, or displacements contradict each
+  /// other.
   Seamless_space operator()()
   {
     express_copies();
-    Exact_elimination elimination(count_uses());
+    Exact_elimination elimination(count_uses(), constant_variable());
     for (const auto& [v, closing] : m_closing_relations)
       for (int c = 0; c < 2; ++c) {
         Linear_form relation = scalar_form(closing, c);
@@ -65,6 +72,7 @@ public:
         elimination.impose_zero(relation);
       }
     align(elimination);
+    displace(elimination);
     fix_translations(elimination);
     elimination.solve();
     collect(elimination);
@@ -142,6 +150,10 @@ private:
     return h;
   }
 
+  /// The variable that stands for the number 1.
+  int constant_variable() const { return translation_variable(int(m_cut.paths.size()), 0); }
+  std::size_t number_of_variables() const { return std::size_t(constant_variable()) + 1; }
+
   int translation_variable(int path, int c) const { return 2 * (m_mesh.number_of_vertices() + path) + c; }
 
   /// Coordinate c of R^k (x, y) where x and y are the variables `first` and `first + 1`.
@@ -163,7 +175,7 @@ private:
 
   std::vector<int> count_uses() const
   {
-    std::vector<int> uses(2 * (std::size_t(m_mesh.number_of_vertices()) + m_cut.paths.size()), 0);
+    std::vector<int> uses(number_of_variables(), 0);
     for (const Copy& copy : m_copies)
       for (std::size_t c = 0; c < 2; ++c) {
         ++uses[2 * std::size_t(copy.vertex) + c];
@@ -188,10 +200,41 @@ private:
     }
   }
 
-  /// The first vertex of every component becomes the origin.
+  /// The end of a displacement is its start, seen through the crossed edges, plus its value.
+  void displace(Exact_elimination& elimination) const
+  {
+    for (const Map_displacement& displacement : m_displacements) {
+      Copy start = copy_at(displacement.source_corner);
+      for (const int h : displacement.crossed_halfedges)
+        if (m_cut.is_cut[std::size_t(h)])
+          start = cross_cut(std::move(start), h);
+      const int rotation = m_cut.face_rotation[std::size_t(displacement.target_corner / 3)];
+      for (int c = 0; c < 2; ++c) {
+        // Coordinate c of the face's chart is +- coordinate `combed` of the combed one.
+        const Linear_form chart = turned(0, -rotation, c);
+        const int combed = chart.begin()->first;
+        const std::optional<int>& value = displacement.value[std::size_t(c)];
+        if (!value)
+          continue;
+        Linear_form difference = scalar_form(copy_at(displacement.target_corner), combed);
+        add_multiple(difference, scalar_form(start, combed), -1);
+        add_multiple(difference, {{constant_variable(), 1}}, -chart.begin()->second * Rational(*value));
+        elimination.impose_zero(difference);
+      }
+    }
+  }
+
+  /// A vertex of every component becomes the origin: the start of its first displacement, if there is one, so that
+  /// integer displacements lead to integer coordinates.
   void fix_translations(Exact_elimination& elimination) const
   {
     std::vector<char> done(std::size_t(m_cut.number_of_components), 0);
+    for (const Map_displacement& displacement : m_displacements)
+      if (char& fixed = done[std::size_t(m_cut.component[std::size_t(displacement.source_corner / 3)])]; !fixed) {
+        fixed = 1;
+        for (int c = 0; c < 2; ++c)
+          elimination.impose_zero(scalar_form(copy_at(displacement.source_corner), c));
+      }
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v) {
       if (m_mesh.outgoing(v) < 0)
         continue;
@@ -208,7 +251,7 @@ private:
   {
     std::vector<Linear_form> rows;
     rows.reserve(2 * m_copies.size());
-    std::vector<Linear_form> solved(2 * (std::size_t(m_mesh.number_of_vertices()) + m_cut.paths.size()));
+    std::vector<Linear_form> solved(number_of_variables());
     for (std::size_t i = 0; i < solved.size(); ++i)
       if (int(i) >= 2 * m_mesh.number_of_vertices() || m_mesh.outgoing(int(i) / 2) >= 0)
         solved[i] = elimination.expression(int(i));
@@ -219,7 +262,7 @@ private:
         for (const auto& [variable, coefficient] : scalar_form(copy, c))
           add_multiple(row, solved[std::size_t(variable)], coefficient);
         for (const auto& [variable, coefficient] : row) {
-          if (parameter[std::size_t(variable)] < 0)
+          if (parameter[std::size_t(variable)] < 0 && variable != constant_variable())
             parameter[std::size_t(variable)] = m_space.number_of_parameters++;
           m_space.denominator = std::lcm(m_space.denominator, coefficient.denominator());
         }
@@ -230,9 +273,14 @@ private:
                                        std::to_string(m_space.denominator));
     m_space.first_entry.push_back(0);
     for (const Linear_form& row : rows) {
-      for (const auto& [variable, coefficient] : row)
-        m_space.entries.push_back({parameter[std::size_t(variable)],
-                                   coefficient.numerator() * (m_space.denominator / coefficient.denominator())});
+      m_space.constants.push_back(0);
+      for (const auto& [variable, coefficient] : row) {
+        const std::int64_t integer = coefficient.numerator() * (m_space.denominator / coefficient.denominator());
+        if (variable == constant_variable())
+          m_space.constants.back() = integer;
+        else
+          m_space.entries.push_back({parameter[std::size_t(variable)], integer});
+      }
       m_space.first_entry.push_back(m_space.entries.size());
     }
   }
@@ -240,6 +288,7 @@ private:
   const Indexed_triangulation& m_mesh;
   const Frame_topology& m_topology;
   const Cut_graph& m_cut;
+  const std::vector<Map_displacement>& m_displacements;
   std::vector<Copy> m_copies;
   std::vector<std::pair<int, Copy>> m_closing_relations;
   Seamless_space m_space;

@@ -5,6 +5,7 @@
 #define QUADRILLE_SEAMLESS_PARAMETRIZATION_INTERNAL_SEAMLESS_MAP_SOLVER_H
 
 #include <Quadrille/Cholesky_solver.h>
+#include <Quadrille/Map_displacement.h>
 #include <Quadrille/Seamless_parametrization/internal/Curve_conflict_resolver.h>
 #include <Quadrille/Seamless_parametrization/internal/Cut_graph.h>
 #include <Quadrille/Seamless_parametrization/internal/Frame_topology.h>
@@ -37,9 +38,12 @@ namespace internal {
 template <class Solver = Cholesky_solver> class Seamless_map_solver {
 public:
   /// `constrained`: by halfedge, equal on both sides of an edge; boundary edges are constrained anyway.
+  /// `displacements`: that the maps have to have, in the charts of the gradients.
   /// \pre `mesh` outlives the solver. \throws Invalid_input_error if the mesh has no face.
-  Seamless_map_solver(const Indexed_triangulation& mesh, Tangent_geometry geometry, std::vector<char> constrained)
-      : m_mesh(mesh), m_geometry(std::move(geometry)), m_constrained(std::move(constrained))
+  Seamless_map_solver(const Indexed_triangulation& mesh, Tangent_geometry geometry, std::vector<char> constrained,
+                      std::vector<Map_displacement> displacements = {})
+      : m_mesh(mesh), m_geometry(std::move(geometry)), m_constrained(std::move(constrained)),
+        m_displacements(std::move(displacements))
   {
     if (mesh.number_of_faces() == 0)
       throw Invalid_input_error("the mesh has no triangle");
@@ -70,7 +74,7 @@ private:
                Untangling untangling, bool stop_misturned, Seamless_map_data& map) const
   {
     map.cut = Cut_graph_builder(m_mesh, m_geometry, map.topology)();
-    const Seamless_space space = Seamless_constraints(m_mesh, map.topology, map.cut)();
+    const Seamless_space space = Seamless_constraints(m_mesh, map.topology, map.cut, m_displacements)();
     std::vector<Gradient_pair> combed;
     for (std::size_t f = 0; f < gradients.size(); ++f)
       combed.push_back(rotate_quarters(gradients[f], map.cut.face_rotation[f]));
@@ -110,6 +114,7 @@ private:
                             const std::vector<double>& weights = {}) const
   {
     elements.set_zero();
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(elements.number_of_parameters());
     for (int f = 0; f < m_mesh.number_of_faces(); ++f) {
       const double area = weights.empty() ? m_geometry.area(f) : weights[std::size_t(f)];
       const Gradient_pair& target = combed[std::size_t(f)];
@@ -126,9 +131,9 @@ private:
             stiffness(2 * i + c, 2 * j + c) = stiffness(2 * j + c, 2 * i + c) = weight[c] * product;
         }
       }
+      load -= stiffness * elements.corners(std::size_t(f), y);
       elements.add(std::size_t(f), load, stiffness);
     }
-    Eigen::VectorXd y = Eigen::VectorXd::Zero(elements.number_of_parameters());
     if (y.size() == 0)
       return y;
     solver.analyze(elements.matrix());
@@ -144,9 +149,11 @@ private:
   {
     map.flat_faces.clear();
     const auto same = [&](int row, int other) {
-      return std::equal(
-          space.begin(row), space.end(row), space.begin(other), space.end(other),
-          [](const auto& a, const auto& b) { return a.parameter == b.parameter && a.coefficient == b.coefficient; });
+      return space.constant(row) == space.constant(other) &&
+             std::equal(space.begin(row), space.end(row), space.begin(other), space.end(other),
+                        [](const auto& a, const auto& b) {
+                          return a.parameter == b.parameter && a.coefficient == b.coefficient;
+                        });
     };
     for (const int f : map.flipped_faces) {
       const int* copy = space.copy_of_corner.data() + 3 * f;
@@ -219,6 +226,7 @@ private:
   const Indexed_triangulation& m_mesh;
   Tangent_geometry m_geometry;
   std::vector<char> m_constrained;
+  std::vector<Map_displacement> m_displacements;
 };
 
 // Defined outside of the class, so that they can be compiled separately.

@@ -30,7 +30,7 @@ inline std::vector<Eigen::Vector2d> round_to_exact_map(const Seamless_space& spa
   const double denominator = double(space.denominator);
   double extent = 0.0;
   for (int row = 0; row < 2 * space.number_of_copies; ++row) {
-    double x = 0.0;
+    double x = double(space.constants[std::size_t(row)]);
     for (const Seamless_space::Entry* e = space.begin(row); e != space.end(row); ++e)
       x += double(e->coefficient) * y[e->parameter];
     if (!std::isfinite(x))
@@ -44,7 +44,7 @@ inline std::vector<Eigen::Vector2d> round_to_exact_map(const Seamless_space& spa
 
   std::vector<double> coordinates(2 * std::size_t(space.number_of_copies));
   for (std::size_t row = 0; row < coordinates.size(); ++row) {
-    std::int64_t x = 0;
+    std::int64_t x = std::llround(std::ldexp(space.constant(int(row)), -exponent));
     for (const Seamless_space::Entry* e = space.begin(int(row)); e != space.end(int(row)); ++e)
       x += e->coefficient * units[std::size_t(e->parameter)];
     coordinates[row] = std::ldexp(double(x), exponent);

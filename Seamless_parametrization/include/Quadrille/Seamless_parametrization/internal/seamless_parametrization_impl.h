@@ -92,6 +92,19 @@ private:
   const Indexed_triangulation& m_triangulation;
 };
 
+/// Writes a map to the mesh's corners; the rest in its descriptors.
+template <class TriangleMesh, class CornerUvMap>
+Quadrille::Seamless_map<TriangleMesh> finish_map(const Mesh_index<TriangleMesh>& index, const Seamless_map_data& data,
+                                                 CornerUvMap uv)
+{
+  using Uv = typename boost::property_traits<CornerUvMap>::value_type;
+  for (int h = 0; h < index.triangulation.number_of_halfedges(); ++h) {
+    const Eigen::Vector2d& value = data.uv[std::size_t(Indexed_triangulation::next(h))];
+    put(uv, index.halfedge_of[std::size_t(h)], Uv(value.x(), value.y()));
+  }
+  return Seamless_map_translator<TriangleMesh>(index, data)();
+}
+
 } // namespace internal
 
 template <class Solver, class TriangleMesh, class Traits, class FaceGradientMap, class EdgeConstrainedMap,
@@ -105,14 +118,7 @@ Seamless_map<TriangleMesh> seamless_parametrization_with_traits(const TriangleMe
   internal::Face_graph_adaptor<TriangleMesh> input(mesh, traits, gradients, constrained);
   const internal::Seamless_map_solver<Solver> solver(input.index.triangulation, std::move(input.geometry),
                                                      std::move(input.constrained));
-  const internal::Seamless_map_data data = solver(input.gradients, options);
-
-  using Uv = typename boost::property_traits<CornerUvMap>::value_type;
-  for (int h = 0; h < input.index.triangulation.number_of_halfedges(); ++h) {
-    const Eigen::Vector2d& value = data.uv[std::size_t(internal::Indexed_triangulation::next(h))];
-    put(uv, input.index.halfedge_of[std::size_t(h)], Uv(value.x(), value.y()));
-  }
-  Seamless_map<TriangleMesh> map = internal::Seamless_map_translator<TriangleMesh>(input.index, data)();
+  Seamless_map<TriangleMesh> map = internal::finish_map(input.index, solver(input.gradients, options), uv);
   map.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return map;
 }
