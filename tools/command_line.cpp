@@ -36,7 +36,8 @@ const char* const quad_help =
 
 Meshes the planar domain or the surface in space IN (.geo .step .stp .brep .iges, of a solid its boundary; triangles in
 .msh .obj .off .vtk .ply .stl) with quads and writes them to OUT (.msh .vtk .vtu .obj). Sizes are lengths in the unit of
-IN. Default sizes: those at the points of a .geo file, or else the diagonal of the bounding box / 40.
+IN. Default sizes: those at the points of a .geo file, or else the diagonal of the bounding box / 40 and less at small
+holes and other round outlines.
 
 For a surface, OUT may be left out: then its frame field and seamless map are all that is computed.
 )";
@@ -89,9 +90,9 @@ po::options_description quad_options()
   options.add_options()("isotropic", "square elements (the default in the plane)");
   options.add_options()("anisotropic", "rectangular elements: sizes across and along curves may differ (the default on "
                                        "surfaces)");
-  options.add_options()("preset", po::value<Strings>()->value_name("area|angle|sizing"),
-                        "surfaces: keep areas or angles of elements, or only sizes prescribed on curves (the default "
-                        "where there are some, else angle)");
+  options.add_options()("preset", po::value<Strings>()->value_name("isometric|area|angle|sizing"),
+                        "surfaces: keep areas and angles of elements, one of them, or only sizes prescribed on curves "
+                        "(default isometric, or sizing where --size or the file prescribe different sizes)");
   options.add_options()("crease-angle", po::value<Strings>()->value_name("DEG"),
                         "surfaces in files that mark no curves: edges that bend by more are features (default 40)");
   options.add_options()("repair",
@@ -113,7 +114,11 @@ po::options_description quad_options()
   options.add_options()("count", po::value<Strings>()->value_name("NAME=N"),
                         "exactly N elements on a physical group or curve tag, repeatable");
   options.add_options()("field", po::value<Strings>()->value_name("F.vtu"), "write the frame field");
-  options.add_options()("map", po::value<Strings>()->value_name("F.obj"), "write the map as texture coordinates");
+  options.add_options()("map", po::value<Strings>()->value_name("F.obj"),
+                        "write the integer-grid map, whose integer isolines are the edges of the quads before they "
+                        "are smoothed, as texture coordinates of the triangles");
+  options.add_options()("seamless-map", po::value<Strings>()->value_name("F.obj"),
+                        "write the seamless map, which lengths are not integer in yet, in the same way");
   options.add_options()("picture", po::value<Strings>()->value_name("F.svg|F.png"), "draw field, map, layout and mesh");
   options.add_options()("json", po::value<Strings>()->value_name("F.json"), "write the summary");
   options.add_options()("quiet", "print errors only");
@@ -235,6 +240,10 @@ Quad_arguments quad_arguments(const Parsed_options& options)
   result.outputs = options.all("output");
   result.field = options.one("field");
   result.map = options.one("map");
+  result.seamless_map = options.one("seamless-map");
+  if (!result.map.empty() && result.outputs.empty())
+    throw Invalid_argument_error("option --map: there is no integer-grid map without quads; add -o OUT, or ask for "
+                                 "the --seamless-map");
   result.picture = options.one("picture");
   result.json = options.one("json");
   result.sizes = options.all("size");
@@ -271,10 +280,11 @@ Quad_arguments quad_arguments(const Parsed_options& options)
     const std::string preset = options.one("preset");
     const std::map<std::string, Surface_field_weights> presets = {{"sizing", Surface_field_weights::sizing()},
                                                                   {"angle", Surface_field_weights::angle_preserving()},
-                                                                  {"area", Surface_field_weights::area_preserving()}};
+                                                                  {"area", Surface_field_weights::area_preserving()},
+                                                                  {"isometric", Surface_field_weights::isometric()}};
     const auto known = presets.find(preset);
     if (known == presets.end())
-      throw Invalid_argument_error("option --preset: '" + preset + "' is none of area, angle, sizing");
+      throw Invalid_argument_error("option --preset: '" + preset + "' is none of isometric, area, angle, sizing");
     result.preset = known->second;
   }
   result.crease_angle = crease_angle(options);

@@ -7,6 +7,7 @@
 #include "Surface_pipeline.h"
 #include "count_option.h"
 #include "domain_constraints.h"
+#include "integer_grid.h"
 #include "json_summary.h"
 #include "picture_file.h"
 #include "surface_output.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -60,11 +62,11 @@ private:
       throw Invalid_argument_error("size '" + item +
                                    "': different sizes across and along a curve need anisotropic frames; leave out "
                                    "--isotropic or give equal sizes");
-    m_sizes = specification.apply(m_domain);
     m_typical_size = specification.typical_size(m_domain);
     if (!m_arguments.size_field.empty())
       m_target_size = read_size_field(m_arguments.size_field, m_domain);
-    scale_sizes_for_number();
+    const double factor = scale_sizes_for_number();
+    m_sizes = specification.apply(m_domain, factor);
     remove_unaligned_curves(m_domain, m_arguments.unaligned);
     m_counts = split_off_counted_curves(m_arguments.counts, m_domain);
     m_is_weak = remove_weak_curves(m_domain, m_arguments.weak);
@@ -76,16 +78,34 @@ private:
     print_notes(m_sizes.notes);
   }
 
-  void scale_sizes_for_number()
+  /// \return the factor
+  double scale_sizes_for_number()
   {
     double area = 0;
     for (const auto f : m_domain.mesh.faces())
       area += CGAL::Polygon_mesh_processing::face_area(f, m_domain.mesh);
-    const double factor = factor_for_number(m_arguments.quads, area / (m_typical_size * m_typical_size), m_sizes.notes);
-    scale_sizes(m_sizes, factor);
+    const double factor =
+        factor_for_number(m_arguments.quads, area / (m_typical_size * m_typical_size), m_domain.notes);
     m_typical_size *= factor;
     for (double& size : m_target_size)
       size *= factor;
+    return factor;
+  }
+
+  /// Whether somebody wants them: then the field should not prefer the typical one anywhere.
+  bool has_different_sizes() const
+  {
+    if (m_sizes.by_default)
+      return !m_target_size.empty();
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    for (const auto& ends : m_sizes.of_edge)
+      for (const Frame_size& size : ends)
+        for (const double s : {size.normal, size.tangential})
+          if (s > 0) {
+            least = std::min(least, s);
+            largest = std::max(largest, s);
+          }
+    return !m_target_size.empty() || largest > 1.001 * least;
   }
 
   void compute() override
@@ -93,10 +113,8 @@ private:
     Surface_pipeline_options options;
     options.field.isotropic = m_arguments.isotropic;
     options.field.integrable = !m_arguments.smooth;
-    const bool has_sizes = std::any_of(m_sizes.of_edge.begin(), m_sizes.of_edge.end(),
-                                       [](const auto& ends) { return !ends[0].is_free() || !ends[1].is_free(); });
-    options.field.weights = m_arguments.preset.value_or(has_sizes ? Surface_field_weights::sizing()
-                                                                  : Surface_field_weights::angle_preserving());
+    options.field.weights = m_arguments.preset.value_or(has_different_sizes() ? Surface_field_weights::sizing()
+                                                                              : Surface_field_weights::isometric());
     options.field.typical_size = m_typical_size;
     options.field.target_size = m_target_size;
     options.field.target_size_weight = m_arguments.size_field_weight;
@@ -111,6 +129,7 @@ private:
     options.extraction.layout = m_arguments.layout;
     options.extraction.counts = m_counts;
     options.extraction.quads = m_arguments.quads;
+    options.extraction.displacements = !m_arguments.map.empty();
     options.extraction.threads = m_arguments.threads;
     options.extraction.max_quads = 4 * m_arguments.max_quads; // sizes are met approximately
     options.extraction.observer = &m_console.observer();
@@ -123,6 +142,8 @@ private:
     scale_sizes(m_sizes, 1 / m_result.extraction->scale);
     m_mesh_summary = summarize(m_result.mesh, m_domain, m_sizes);
     m_check_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!m_arguments.map.empty())
+      m_integer_grid = make_integer_grid(m_domain, m_result.corner_uv, *m_result.extraction, m_arguments.threads);
   }
 
   void write_field_and_picture() const
@@ -143,8 +164,10 @@ private:
     for (const std::string& output : m_arguments.outputs)
       write_mesh(output, m_result.mesh);
     write_field_and_picture();
-    if (!m_arguments.map.empty())
-      write_corner_map(m_arguments.map, m_domain, m_result.corner_uv);
+    if (m_integer_grid)
+      write_corner_map(m_arguments.map, m_domain, m_integer_grid->corner_uv);
+    if (!m_arguments.seamless_map.empty())
+      write_corner_map(m_arguments.seamless_map, m_domain, m_result.corner_uv);
   }
 
   void write_what_there_is() override
@@ -162,11 +185,15 @@ private:
       json["mesh"] = json_of(*m_mesh_summary);
       json["mesh"]["seconds"] = m_result.extraction->mesh_seconds + m_check_seconds;
     }
+    if (m_integer_grid)
+      json["map"]["integer_grid"] = {{"flipped", m_integer_grid->flipped}, {"seconds", m_integer_grid->seconds}};
     return json;
   }
 
   void report() override
   {
+    if (m_integer_grid && m_integer_grid->flipped > 0)
+      m_console.print(note_on_integer_grid(m_arguments.map, *m_integer_grid));
     std::map<int, int> counts;
     for (const auto& [vertex, valence] : m_result.singular_vertices)
       ++counts[valence];
@@ -214,6 +241,7 @@ private:
   std::vector<Curve_count> m_counts;
   Surface_pipeline_result m_result;
   std::optional<Mesh_summary> m_mesh_summary;
+  std::optional<Integer_grid> m_integer_grid;
   double m_check_seconds = 0;
 };
 

@@ -189,9 +189,11 @@ TEST(Size_specification, defaults)
   const Domain_sizes by_box = apply(domain, {});
   EXPECT_DOUBLE_EQ(sizes_at(domain, by_box, 0.5, 0)[0], std::sqrt(17.0) / 40);
   EXPECT_EQ(by_box.notes.size(), 1u);
+  EXPECT_TRUE(by_box.by_default);
   for (const auto v : domain.mesh.vertices())
     domain.point_size[v.idx()] = 1 + domain.mesh.point(v).x();
   const Domain_sizes by_points = apply(domain, {"top=7"});
+  EXPECT_FALSE(by_points.by_default);
   EXPECT_EQ(sizes_at(domain, by_points, 1.5, 0), (Pair{2, 3}));
   EXPECT_EQ(sizes_at(domain, by_points, 1.5, 1), (Pair{7, 7}));
 }

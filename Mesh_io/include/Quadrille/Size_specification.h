@@ -23,6 +23,7 @@ struct Domain_sizes {
   /// Per edge of the domain's mesh: the sizes at source and target of `halfedge(edge)`; free where none is prescribed
   /// (inside the regions, and on curves that are only to be aligned with).
   std::vector<std::array<Frame_size, 2>> of_edge;
+  bool by_default = false; ///< neither the user nor the file said anything about sizes
   /// What was chosen, one sentence per line, for the user.
   std::vector<std::string> notes;
 
@@ -65,11 +66,14 @@ public:
   /// Sizes for every curve of `domain`.
   ///
   /// Curves that no item names take the sizes that the file gives at their points (linear in arc length); where there
-  /// are none, they are left free if any item was given, and otherwise get the bounding box's diagonal / 40.
+  /// are none, they are left free if any item was given, and otherwise get the bounding box's diagonal / 40, or less at
+  /// holes and other round outlines: smooth curves that turn by half a circle get at least six elements there, down to
+  /// an eighth of that size, and sizes grow from them by half the distance, as in a polar grid.
+  /// \param factor of all sizes, that of the box included (so that round outlines count only if they need less)
   /// \throws Invalid_argument_error if a name does not exist in `domain` (listing those that do), if A and B differ on
   /// a closed or branching curve, or if two items give the same curve different sizes.
-  /// Complexity: O(n log n) in the number of curves and edges.
-  template <class Point> Domain_sizes apply(const Triangulated_domain<Point>& domain) const;
+  /// Complexity: O(n log n) in the number of curves, edges and vertices.
+  template <class Point> Domain_sizes apply(const Triangulated_domain<Point>& domain, double factor = 1) const;
 
 private:
   struct Item {

@@ -24,6 +24,8 @@ struct Surface_field_weights {
   static Surface_field_weights area_preserving(bool smooth = false) { return {10, 0.1, smooth ? 1e-4 : 0}; }
   /// Minimises the distortion of angles.
   static Surface_field_weights angle_preserving() { return {1, 0, 0.01}; }
+  /// Some of both: elements that are nearly square and nearly of one size. Ours, not the paper's.
+  static Surface_field_weights isometric() { return {1, 0.01, 0.01}; }
 };
 
 /// `solver` is Levenberg-Marquardt with melting, or `lbfgs`: the paper's own way, L-BFGS (ALGLIB) from the smooth

@@ -4,6 +4,7 @@
 #ifndef QUADRILLE_MESH_IO_INTERNAL_SIZE_SPECIFICATION_IMPL_H
 #define QUADRILLE_MESH_IO_INTERNAL_SIZE_SPECIFICATION_IMPL_H
 
+#include <Quadrille/Mesh_io/internal/Round_curve_sizes.h>
 #include <Quadrille/Mesh_io/internal/vector_length.h>
 #include <Quadrille/Size_specification.h>
 #include <Quadrille/domain_curves.h>
@@ -137,10 +138,26 @@ public:
     }
   }
 
+  /// Along all curves. \param at_vertex indexed by the descriptors of the domain's mesh
+  void set_at_vertices(const std::vector<double>& at_vertex)
+  {
+    for (const auto& curve : m_domain.curves)
+      for (const auto h : curve.path)
+        set(h, at_vertex[std::size_t(m_domain.mesh.source(h).idx())],
+            at_vertex[std::size_t(m_domain.mesh.target(h).idx())]);
+  }
+
   void set_constant(int c, const Frame_size& size)
   {
     for (const auto h : m_domain.curves[std::size_t(c)].path)
       set(h, size, size);
+  }
+
+  void scale(double factor)
+  {
+    for (std::array<Frame_size, 2>& ends : m_sizes.of_edge)
+      for (Frame_size& size : ends)
+        size = {factor * size.normal, factor * size.tangential};
   }
 
 private:
@@ -254,7 +271,8 @@ inline std::map<std::string, double> Size_specification::thin_curves() const
   return result;
 }
 
-template <class Point> Domain_sizes Size_specification::apply(const Triangulated_domain<Point>& domain) const
+template <class Point>
+Domain_sizes Size_specification::apply(const Triangulated_domain<Point>& domain, double factor) const
 {
   Domain_sizes sizes;
   sizes.of_edge.resize(domain.mesh.number_of_edges());
@@ -275,10 +293,15 @@ template <class Point> Domain_sizes Size_specification::apply(const Triangulated
     sizes.notes.push_back("element sizes from the points of the file, on " + std::to_string(n) + " of " +
                           std::to_string(domain.curves.size()) + " curves");
   } else if (m_items.empty()) {
-    const double size = internal::default_size(domain);
-    for (std::size_t c = 0; c < domain.curves.size(); ++c)
-      setter.set_constant(int(c), size);
-    sizes.notes.push_back("element size " + internal::format_number(size) + " everywhere (bounding box diagonal / 40)");
+    const double size = factor * internal::default_size(domain);
+    const std::vector<double> at_vertex = internal::Round_curve_sizes<Point>(domain, size).run();
+    setter.set_at_vertices(at_vertex);
+    sizes.by_default = true;
+    const double least = at_vertex.empty() ? size : *std::min_element(at_vertex.begin(), at_vertex.end());
+    sizes.notes.push_back(
+        "element size " + internal::format_number(size) + (factor == 1 ? " (bounding box diagonal / 40)" : "") +
+        (least < size ? ", at round curves down to " + internal::format_number(least) : " everywhere"));
+    return sizes;
   }
 
   // Groups first: what is said of a curve by its tag is more special.
@@ -320,6 +343,7 @@ template <class Point> Domain_sizes Size_specification::apply(const Triangulated
       setter.set_linear(sequence, item.first, item.last);
     }
   }
+  setter.scale(factor);
   return sizes;
 }
 
