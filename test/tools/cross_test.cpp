@@ -64,6 +64,9 @@ TEST_F(Cross, summary_has_the_documented_keys)
 
 TEST_F(Cross, fills_surfaces_and_geometry)
 {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "address sanitizer does not allow what keeps TetGen and Gmsh apart";
+#endif
   // A triangular prism as a surface, and a cylinder as geometry.
   const std::string surface = write("prism.off", "OFF\n6 8 0\n0 0 0\n2 0 0\n1 1.7 0\n0 0 2\n2 0 2\n1 1.7 2\n3 0 2 1\n"
                                                  "3 3 4 5\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n");
