@@ -53,13 +53,15 @@ def write_png(name, picture, n_colors=0):
 
 def panel(picture, kind, x, y, side):
     """One panel of a picture by the program, without its title, in a square with the upper left corner (x, y), and how
-    high it is."""
+    high it is. Pictures of surfaces have one panel, "all"."""
     match = re.match(r'<svg [^>]*width="([\d.]+)" height="([\d.]+)"[^>]*>(.*)</svg>\s*$', picture, re.DOTALL)
-    width, height = float(match.group(1)) / 2, float(match.group(2)) / 2
-    margin, title = 14, 44  # the program's, but for a little
-    place = PANELS.index(kind)
-    x0, y0 = place % 2 * width + margin, place // 2 * height + title
-    width, height = width - 2 * margin, height - title - margin
+    width, height = float(match.group(1)), float(match.group(2))
+    x0, y0 = 0, 0
+    if kind != "all":
+        margin, title = 14, 44  # the program's, but for a little
+        place = PANELS.index(kind)
+        x0, y0 = place % 2 * width / 2 + margin, place // 2 * height / 2 + title
+        width, height = width / 2 - 2 * margin, height / 2 - title - margin
     scale = side / max(width, height)
     content = re.sub(r"<text.*?</text>", "", match.group(3))
     # Lines that suit the program's 900 pixels would fade.

@@ -33,7 +33,7 @@ MODELS = {
     "U-turn": ("u_turn.geo", ["--triangle-size", "1.2"]),
 }
 # Model, quads asked for; the paper's mean skew in degrees, that of integrable polyvector fields, and time.
-TABLE_1 = [("M1", 38000, "3.00", "4.15", "11:54"), ("M2", 14000, "2.39", "5.78", "7:31"),
+TABLE_1 = [("M1", 42279, "3.00", "4.15", "11:54"), ("M2", 16942, "2.39", "5.78", "7:31"),
            ("M4", 33324, "3.22", "3.32", "7:01"), ("M8", 46492, "3.58", "8.98", "8:58")]
 # Model, preset; the paper's triangles, quads and time.
 TABLE_2 = [("M1", "area", 37766, 42279, "10:57"), ("M1", "angle", 37766, 34454, "3:25"),
@@ -135,10 +135,10 @@ def table_2(lab):
         else:
             row += ["", time, "", seconds(result["seconds"])] + [""] * 5
         rows.append(row + [verdict(result)])
-        drawings.setdefault(model, []).append((result["picture"], "mesh", ""))
+        drawings.setdefault(model, []).append((result["picture"], "all", ""))
     if drawings:
         lab.write_picture("surface_figures_6_7",
-                          pictures.grid(("area", "angle"), list(drawings.items()), 420))
+                          pictures.grid(("area", "angle"), list(drawings.items()), 280))
     return markdown_table(("model", "preset", "paper: triangles", "ours", "paper: quads", "ours", "paper: time m:ss",
                            "ours: field s", "whole run s", "area distortion", "aspect distortion", "mean skew",
                            "integration error", "singularities", "check"), rows)
@@ -150,13 +150,13 @@ def figure_13(lab):
         row, panels = [model], []
         for preset, key, paper in (("area", "area_distortion", areas), ("angle", "aspect_distortion", angles)):
             result = lab.result(model, ["--preset", preset, "--size", "1"])
-            panels.append((result["picture"], "mesh", ""))
+            panels.append((result["picture"], "all", ""))
             row += list(paper)
             row += ["{:.4f}".format(result["mesh"][key]["squared_mean"]), result["mesh"]["quads"],
                     singularities(result)] if "mesh" in result else [verdict(result), "", ""]
         rows.append(row)
         drawings.append((model, panels))
-    lab.write_picture("surface_figure_13", pictures.grid(("area", "angle"), drawings, 420))
+    lab.write_picture("surface_figure_13", pictures.grid(("area", "angle"), drawings, 340))
     return markdown_table(("model", "area: other method", "paper", "ours", "quads", "singularities",
                            "angle: other method", "paper", "ours", "quads", "singularities"), rows)
 
@@ -169,7 +169,7 @@ def main():
     parser.add_argument("--program", default=os.path.join(TOP, "build", "bin", "quadrille"))
     parser.add_argument("--models", action="append", default=[], metavar="FOLDER", help="with the models; repeatable")
     parser.add_argument("--commit", default=commit(TOP), help="of the program; default: of this folder")
-    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--output", default=HERE, help="folder for surfaces.md and fig/")
     parser.add_argument("--runs", help="folder for the program's files; runs that are there already are not repeated")
     parser.add_argument("parts", nargs="*", metavar="PART", help="default: all of " + ", ".join(PARTS))
@@ -180,8 +180,9 @@ def main():
     arguments.program = os.path.abspath(arguments.program)
     version = subprocess.run([arguments.program, "--version"], stdout=subprocess.PIPE, universal_newlines=True,
                              check=True).stdout.strip()
-    parts = {"program": "{}, commit {}, {} threads on a machine with {} cores.".format(
-        version, (arguments.commit or "unknown")[:10], arguments.threads, os.cpu_count())}
+    parts = {"program": "{}, commit {}, {} thread{} on a machine with {} cores.".format(
+        version, (arguments.commit or "unknown")[:10], arguments.threads, "" if arguments.threads == 1 else "s",
+        os.cpu_count())}
     with tempfile.TemporaryDirectory() as temporary:
         if arguments.runs:
             os.makedirs(arguments.runs, exist_ok=True)
