@@ -342,44 +342,53 @@ def insert(page, part, content):
     return head + begin + "\n\n" + content + "\n\n" + end + rest.split(end)[1]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--build", default=os.path.join(TOP, "build"), help="build folder of program and benchmark")
-    parser.add_argument("--program", help="default: bin/quadrille in the build folder")
-    parser.add_argument("--benchmark", help="lie_energy_of_singularities, for figure_11")
-    parser.add_argument("--example", help="singularity_and_epsilon, for figure_9")
+def add_options(parser, page, parts):
+    """Options that the scripts of all pages have."""
     parser.add_argument("--commit", default=commit(TOP), help="of the program; default: of this folder")
     parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--output", default=HERE, help="folder for reproduction.md and fig/")
+    parser.add_argument("--output", default=HERE, help="folder for {} and fig/".format(page))
     parser.add_argument("--runs", help="folder for the program's files; runs that are there already are not repeated")
-    parser.add_argument("parts", nargs="*", metavar="PART", help="default: all of " + ", ".join(PARTS))
-    arguments = parser.parse_args()
-    for name, place in (("program", "bin/quadrille"), ("example", "examples/Odeco_frame_field/singularity_and_epsilon"),
-                        ("benchmark", "benchmark/Odeco_frame_field/lie_energy_of_singularities")):
-        setattr(arguments, name, os.path.abspath(getattr(arguments, name) or os.path.join(arguments.build, place)))
-    unknown = [part for part in arguments.parts if part not in PARTS]
-    if unknown:
-        parser.error("no such part: " + ", ".join(unknown))
+    parser.add_argument("parts", nargs="*", metavar="PART", help="default: all of " + ", ".join(parts))
 
+
+def make_page(name, parts, make_lab, arguments):
+    """Writes what the chosen `parts` make of a lab (of `make_lab(arguments, folder)`) into the page `name`."""
+    unknown = [part for part in arguments.parts if part not in parts]
+    if unknown:
+        sys.exit("no such part: " + ", ".join(unknown))
     version = subprocess.run([arguments.program, "--version"], stdout=subprocess.PIPE, universal_newlines=True,
                              check=True).stdout.strip()
-    parts = {"program": "{}, commit {}, {} thread{} on a machine with {} cores.".format(
+    contents = {"program": "{}, commit {}, {} thread{} on a machine with {} cores.".format(
         version, (arguments.commit or "unknown")[:10], arguments.threads, "" if arguments.threads == 1 else "s",
         os.cpu_count())}
     os.makedirs(arguments.output, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
         if arguments.runs:
             os.makedirs(arguments.runs, exist_ok=True)
-        lab = Lab(arguments, os.path.abspath(arguments.runs or temporary))
-        for part in arguments.parts or PARTS:
-            parts[part] = PARTS[part](lab)
-    target = os.path.join(arguments.output, "reproduction.md")
-    with open(target if os.path.exists(target) else os.path.join(HERE, "reproduction.md"), encoding="utf-8") as file:
+        lab = make_lab(arguments, os.path.abspath(arguments.runs or temporary))
+        for part in arguments.parts or parts:
+            contents[part] = parts[part](lab)
+    target = os.path.join(arguments.output, name)
+    with open(target if os.path.exists(target) else os.path.join(HERE, name), encoding="utf-8") as file:
         page = file.read()
-    for part, content in parts.items():
+    for part, content in contents.items():
         page = insert(page, part, content)
     with open(target, "w", encoding="utf-8") as file:
         file.write(page)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", default=os.path.join(TOP, "build"), help="build folder of program and benchmark")
+    parser.add_argument("--program", help="default: bin/quadrille in the build folder")
+    parser.add_argument("--benchmark", help="lie_energy_of_singularities, for figure_11")
+    parser.add_argument("--example", help="singularity_and_epsilon, for figure_9")
+    add_options(parser, "reproduction.md", PARTS)
+    arguments = parser.parse_args()
+    for name, place in (("program", "bin/quadrille"), ("example", "examples/Odeco_frame_field/singularity_and_epsilon"),
+                        ("benchmark", "benchmark/Odeco_frame_field/lie_energy_of_singularities")):
+        setattr(arguments, name, os.path.abspath(getattr(arguments, name) or os.path.join(arguments.build, place)))
+    make_page("reproduction.md", PARTS, Lab, arguments)
     return 0
 
 

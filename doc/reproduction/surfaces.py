@@ -13,10 +13,9 @@ import json
 import os
 import subprocess
 import sys
-import tempfile
 
 import pictures
-from reproduce import HERE, TOP, commit, insert, markdown_table, scientific, seconds, singularities
+from reproduce import TOP, add_options, make_page, markdown_table, scientific, seconds, singularities
 
 # Model: file, and options that give about the paper's numbers of triangles.
 MODELS = {
@@ -138,7 +137,7 @@ def table_2(lab):
         drawings.setdefault(model, []).append((result["picture"], "all", ""))
     if drawings:
         lab.write_picture("surface_figures_6_7",
-                          pictures.grid(("area", "angle"), list(drawings.items()), 280))
+                          pictures.grid(("area", "angle"), list(drawings.items()), 240))
     return markdown_table(("model", "preset", "paper: triangles", "ours", "paper: quads", "ours", "paper: time m:ss",
                            "ours: field s", "whole run s", "area distortion", "aspect distortion", "mean skew",
                            "integration error", "singularities", "check"), rows)
@@ -168,34 +167,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", default=os.path.join(TOP, "build", "bin", "quadrille"))
     parser.add_argument("--models", action="append", default=[], metavar="FOLDER", help="with the models; repeatable")
-    parser.add_argument("--commit", default=commit(TOP), help="of the program; default: of this folder")
-    parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--output", default=HERE, help="folder for surfaces.md and fig/")
-    parser.add_argument("--runs", help="folder for the program's files; runs that are there already are not repeated")
-    parser.add_argument("parts", nargs="*", metavar="PART", help="default: all of " + ", ".join(PARTS))
+    add_options(parser, "surfaces.md", PARTS)
     arguments = parser.parse_args()
-    unknown = [part for part in arguments.parts if part not in PARTS]
-    if unknown:
-        parser.error("no such part: " + ", ".join(unknown))
     arguments.program = os.path.abspath(arguments.program)
-    version = subprocess.run([arguments.program, "--version"], stdout=subprocess.PIPE, universal_newlines=True,
-                             check=True).stdout.strip()
-    parts = {"program": "{}, commit {}, {} thread{} on a machine with {} cores.".format(
-        version, (arguments.commit or "unknown")[:10], arguments.threads, "" if arguments.threads == 1 else "s",
-        os.cpu_count())}
-    with tempfile.TemporaryDirectory() as temporary:
-        if arguments.runs:
-            os.makedirs(arguments.runs, exist_ok=True)
-        lab = Lab(arguments, os.path.abspath(arguments.runs or temporary))
-        for part in arguments.parts or PARTS:
-            parts[part] = PARTS[part](lab)
-    target = os.path.join(arguments.output, "surfaces.md")
-    with open(target if os.path.exists(target) else os.path.join(HERE, "surfaces.md"), encoding="utf-8") as file:
-        page = file.read()
-    for part, content in parts.items():
-        page = insert(page, part, content)
-    with open(target, "w", encoding="utf-8") as file:
-        file.write(page)
+    make_page("surfaces.md", PARTS, Lab, arguments)
     return 0
 
 
